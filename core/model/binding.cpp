@@ -20,6 +20,9 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double shareTolerance = 1e-6; ///< of their sum: 32-bit numbers of a package come to no more
+/// A vertex beyond the nodes that carry it has negative shares and others above 1. Beyond this a node that
+/// moves a little would swing it about.
+constexpr double largestShare = 4;
 
 std::vector<std::vector<std::uint32_t>> neighboursOf(const std::vector<Triangle>& triangles,
                                                      std::size_t vertexCount) {
@@ -184,7 +187,8 @@ private:
 bool isSound(const VertexBinding& vertex, std::size_t nodeCount) {
     const auto& [nodes, shares] = vertex;
     return *std::max_element(nodes.begin(), nodes.end()) < nodeCount &&
-           std::all_of(shares.begin(), shares.end(), [](double share) { return share >= 0; }) &&
+           std::all_of(shares.begin(), shares.end(),
+                       [](double share) { return std::abs(share) <= largestShare; }) &&
            std::abs(std::accumulate(shares.begin(), shares.end(), 0.0) - 1) <= shareTolerance;
 }
 

@@ -9,7 +9,7 @@
 
 namespace esm {
 
-/// The nodes that carry one vertex of the drawn mesh, and their shares, each from 0 to 1, sum 1.
+/// The nodes that carry one vertex of the drawn mesh, and their shares, sum 1; below 0 only beyond nodes.
 struct VertexBinding {
     std::span<const std::uint32_t> nodes;
     std::span<const double> shares; ///< as many

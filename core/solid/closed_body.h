@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+#include "core/surface/surface_query.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace esm {
+
+/// One body of an organ: an outer shell, and the shells of its cavities.
+struct ClosedBody {
+    TriangleMesh surface; ///< the outer shell faces outwards, cavities into themselves: away from the tissue
+    std::vector<std::uint32_t> vertices; ///< per vertex of it, its number in the whole surface
+    double volume;                       ///< m³, cavities left out
+    double area;                         ///< m², cavities too
+};
+
+/// The bodies that a closed surface encloses, in the order of their first triangles. A part within a body is
+/// a cavity of it, one within a cavity a body of its own, whichever way each faces.
+/// @throws InvalidModel where the surface is open, has no inside, runs through itself or encloses nothing
+std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh);
+
+/// How often a surface winds around a point: 1 within a body, 0 outside (generalised winding number, Jacobson
+/// et al. 2013). Every triangle is asked.
+double windingNumber(const TriangleMesh& surface, const Eigen::Vector3d& point);
+
+/// Rays against a body's surface, and whether points lie within.
+class BodyQuery {
+public:
+    /// @param body outlives this
+    explicit BodyQuery(const ClosedBody& body)
+        : m_body(body), m_rays(body.surface.vertices, body.surface.triangles),
+          m_size(boundingBox(body.surface.vertices).sizes().maxCoeff()) {}
+
+    bool contains(const Eigen::Vector3d& point) const;
+    /// Within 10⁻⁹ of the body's size.
+    bool isOn(const Eigen::Vector3d& point) const;
+    /// Where the surface is first met from one point towards another, no farther than that.
+    std::optional<RayHit> firstBetween(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+    RayHit nearest(const Eigen::Vector3d& point) const { return *m_rays.nearest(point); }
+    Eigen::Vector3d placeOf(const RayHit& hit) const;
+    /// Of unit length, out of the tissue.
+    Eigen::Vector3d normalOf(const RayHit& hit) const;
+
+private:
+    const ClosedBody& m_body;
+    SurfaceQuery m_rays;
+    double m_size; ///< m
+};
+
+} // namespace esm

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "core/solid/background_lattice.h"
+#include "core/solid/rigidity.h"
+
+#include <cstddef>
+
+namespace esm {
+
+/// What to fill a body with.
+struct LatticeFilling {
+    LatticeKind kind = LatticeKind::BodyCentred;
+    double spacing = 0; ///< of nearest neighbours, m; above 0
+};
+
+/// Nodes, springs and tetrahedra that fill what a surface encloses.
+struct FilledBody {
+    std::vector<Eigen::Vector3d> nodes; ///< m; springs are at rest where they are
+    std::vector<char> isOnSurface;      ///< per node; these lie on the surface, all others within
+    std::vector<LatticeSpring> springs; ///< each once, the smaller node first
+    std::vector<Tetrahedron> tetrahedra;
+    std::vector<std::uint32_t> bodyStarts; ///< the first node of each body, then how many there are
+    double enclosedVolume = 0;             ///< of the surface, cavities left out, m³
+};
+
+/// What a filling comes to, within a quarter or so.
+struct LatticeEstimate {
+    double nodes, springs, tetrahedra;
+    double bytes; ///< of memory while the body is filled
+};
+
+/// More nodes than this are refused.
+inline constexpr double mostLatticeNodes = 1e6;
+
+/// Before anything is filled.
+/// @throws InvalidModel as fillBody() does, except where there would be too many nodes
+LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling);
+
+/// Fills every body that a closed surface encloses with a lattice of its own. Nodes lie within or on the
+/// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Constants are relative to
+/// one between nearest neighbours of the lattice, and such that tissue has the same modulus everywhere
+/// (`elasticityOf()`): less at the surface, where a spring has tissue on one side alone. Bodies too small for
+/// the spacing get a finer lattice. The same input gives the same result on any number of threads.
+/// @throws InvalidModel for a spacing that is no positive number, is wider than the organ or needs more than
+/// `mostLatticeNodes`, and for a surface that is open, runs through itself or encloses nothing
+/// @throws Cancelled
+FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, const Progress& progress = {});
+
+} // namespace esm

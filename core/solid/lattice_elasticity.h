@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/solid/lattice_kind.h"
+
+#include <Eigen/Core>
+
+namespace esm {
+
+/// Stress over strain of an endless lattice at small strain, in Voigt's order xx, yy, zz, yz, zx, xy with
+/// shears counted twice. Relative: of springs of constant 1 N/m between nearest neighbours 1 m apart, Pa; of
+/// constant c and spacing h it is c/h times that.
+struct LatticeElasticity {
+    Eigen::Matrix<double, 6, 6> tensor;
+
+    /// Stiffness in shear along the cube's faces over that across them (Zener 1948): 1 where the lattice is
+    /// isotropic.
+    double anisotropy() const;
+    /// Of the isotropic solid that is nearest to it (Voigt's mean over all directions).
+    double youngsModulus() const;
+    double poissonsRatio() const;
+};
+
+/// Springs have forces along themselves alone, so that ν is 1/4 wherever each site is a centre of symmetry
+/// (Cauchy). Cubic: E = 5c/(2a). Body-centred: E = 5c/(3a), a being the cube's edge. Diamond's anisotropy is
+/// 2 whatever the share of its second neighbours: its nearest ones resist compression alone, and a
+/// face-centred lattice has 2.
+LatticeElasticity elasticityOf(LatticeKind kind);
+
+} // namespace esm
