@@ -1,6 +1,7 @@
 #include "core/texture/layers/layer_projection.h"
 
 #include "core/support/smooth_step.h"
+#include "core/texture/layers/lit_triangles.h"
 
 #include <algorithm>
 #include <cmath>

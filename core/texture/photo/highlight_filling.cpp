@@ -24,7 +24,7 @@ bool isOpaque(const std::uint8_t* pixel) {
     return pixel[3] > 0;
 }
 
-int brightestOf(const std::uint8_t* pixel) {
+int strongestOf(const std::uint8_t* pixel) {
     return std::max({pixel[0], pixel[1], pixel[2]});
 }
 
@@ -35,8 +35,8 @@ std::pair<float, float> usualShares(const cv::Mat& colours, const cv::Mat& unusa
     for (int y = 0; y < colours.rows; ++y)
         for (int x = 0; x < colours.cols; ++x) {
             const std::uint8_t* pixel = colours.ptr<std::uint8_t>(y, x);
-            if (unusable.at<std::uint8_t>(y, x) == 0 && brightestOf(pixel) > 0)
-                shares.push_back(static_cast<float>(pixel[channel]) / static_cast<float>(brightestOf(pixel)));
+            if (unusable.at<std::uint8_t>(y, x) == 0 && strongestOf(pixel) > 0)
+                shares.push_back(static_cast<float>(pixel[channel]) / static_cast<float>(strongestOf(pixel)));
         }
     if (shares.empty()) return {0.0F, 1.0F};
     const auto tenth = static_cast<std::ptrdiff_t>(shares.size() / 10);
@@ -57,7 +57,7 @@ void keepHues(cv::Mat& filled, const cv::Mat& unusable) {
         for (int x = 0; x < filled.cols; ++x) {
             if (unusable.at<std::uint8_t>(y, x) == 0) continue;
             std::uint8_t* pixel = filled.ptr<std::uint8_t>(y, x);
-            const auto brightest = static_cast<float>(brightestOf(pixel));
+            const auto brightest = static_cast<float>(strongestOf(pixel));
             for (std::size_t channel = 0; channel < 3; ++channel) {
                 const auto [least, most] = usual[channel];
                 const float kept =

@@ -73,7 +73,8 @@ FieldPage::FieldPage(PreparationEdits& edits, PhotoCanvas& canvas, QWidget* pare
         setField(tr("Draw field"), before);
         m_edits.finishGesture();
     });
-    choose(Circle);
+    m_shapes->button(Circle)->setChecked(true); // a field that there is shows its own, see showField()
+    canvas.setFieldShape(FieldShape::Ellipse, true);
 }
 
 void FieldPage::layOut() {

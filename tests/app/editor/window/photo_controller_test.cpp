@@ -7,6 +7,8 @@
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
+#include <QLabel>
+
 #include <fstream>
 
 using namespace esm;
