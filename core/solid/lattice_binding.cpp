@@ -110,6 +110,7 @@ public:
 private:
     static std::vector<Triangle> trianglesOf(const std::vector<OuterFace>& faces) {
         std::vector<Triangle> triangles;
+        triangles.reserve(faces.size());
         for (const OuterFace& face : faces)
             triangles.push_back(face.nodes);
         return triangles;

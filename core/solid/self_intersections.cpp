@@ -110,7 +110,7 @@ std::optional<Vector3d> meeting(const TriangleMesh& mesh, const Triangle& one, c
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t from = one[i], to = one[(i + 1) % 3];
         if (isShared(from) || isShared(to)) continue;
-        if (const auto place = piercing(mesh.vertices[from], mesh.vertices[to], corners)) return place;
+        if (auto place = piercing(mesh.vertices[from], mesh.vertices[to], corners)) return place;
     }
     return std::nullopt;
 }

@@ -202,8 +202,9 @@ void shareSpring(UnitCell& cell, const CellSpring& spring) {
     std::vector<PlacedTetrahedron> near = tetrahedraNear(cell, from, along);
     int all = 0;
     for (int sample = 0; sample < stations * angles; ++sample) {
-        const double angle = 2 * M_PI * (sample % angles + 0.31) / angles;
-        const Vector3d point = from + along * ((sample / angles + 0.47) / stations) +
+        const int station = sample / angles, step = sample % angles;
+        const double angle = 2 * M_PI * (step + 0.31) / angles;
+        const Vector3d point = from + along * ((station + 0.47) / stations) +
                                radius * (std::cos(angle) * u + std::sin(angle) * v);
         for (PlacedTetrahedron& tetrahedron : near)
             if (tetrahedron.holds(point)) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -62,7 +63,7 @@ void keepHues(cv::Mat& filled, const cv::Mat& unusable) {
                 const auto [least, most] = usual[channel];
                 const float kept =
                     std::clamp(static_cast<float>(pixel[channel]), least * brightest, most * brightest);
-                pixel[channel] = static_cast<std::uint8_t>(kept + 0.5F);
+                pixel[channel] = static_cast<std::uint8_t>(std::lround(kept));
             }
         }
 }

@@ -316,24 +316,6 @@ TEST_F(PhotoDialogTest, AFieldHasTheShapeThatIsChosen) {
     EXPECT_FALSE(layer().preparation.field);
 }
 
-TEST_F(PhotoDialogTest, ChangesNothingWhenItIsOpened) {
-    PhotoField ellipse, polygon;
-    ellipse = PhotoField::circle({200, 160}, 100);
-    ellipse.radii.y() = 60;
-    polygon.shape = FieldShape::Polygon;
-    polygon.corners = {{50, 50}, {350, 60}, {340, 300}, {60, 290}};
-    for (const PhotoField& field : {ellipse, polygon}) {
-        dialog.reset();
-        document.edit("field", [&](Project& project) { project.layers[0].preparation.field = field; });
-        const int steps = document.undoStack()->count();
-        dialog = std::make_unique<PhotoDialog>(document, edits);
-        dialog->show();
-        ESM_EVENTUALLY(!edits.isWorking());
-        EXPECT_EQ(layer().preparation.field, field);
-        EXPECT_EQ(document.undoStack()->count(), steps);
-    }
-}
-
 TEST_F(PhotoDialogTest, EscapePutsTheFieldBackThatWasDragged) {
     choose(Qt::Key_F);
     drag(200, 160, 300, 160);
