@@ -24,12 +24,12 @@ namespace esm {
 
 namespace {
 
-/// The camera turned about the organ for one of some photos, from the left to the right.
+/// The camera turned about the organ for one of some photos: the first stays before it, the others come to
+/// its right and left by turns.
 Camera fannedOut(const Camera& camera, std::size_t photo, std::size_t photos) {
-    if (photos < 2) return camera;
-    const auto count = static_cast<double>(photos);
-    const double apart = std::min(toRadians(60), toRadians(360) / count);
-    return orbited(camera, apart * (static_cast<double>(photo) - (count - 1) / 2), 0);
+    const double apart = std::min(toRadians(60), toRadians(360) / static_cast<double>(photos));
+    const auto places = static_cast<double>((photo + 1) / 2);
+    return orbited(camera, apart * (photo % 2 == 1 ? places : -places), 0);
 }
 
 } // namespace

@@ -60,9 +60,10 @@ TEST_F(PhotoControllerTest, LaysSeveralSideBySideOnTheOrgan) {
         looks.push_back(layer.projector.pose.linear().col(2));
     }
     const Camera camera = window->view().camera();
-    EXPECT_TRUE(looks[1].isApprox(cameraAxes(camera).col(2), 1e-6)) << "the middle one from where one looks";
-    EXPECT_NEAR(std::acos(looks[0].dot(looks[1])), toRadians(60), 1e-6);
-    EXPECT_NEAR(std::acos(looks[1].dot(looks[2])), toRadians(60), 1e-6);
+    EXPECT_TRUE(looks[2].isApprox(cameraAxes(camera).col(2), 1e-6)) << "the first from where one looks";
+    EXPECT_NEAR(std::acos(looks[2].dot(looks[1])), toRadians(60), 1e-6) << "the second beside it";
+    EXPECT_NEAR(std::acos(looks[2].dot(looks[0])), toRadians(60), 1e-6) << "the third on the other side";
+    EXPECT_NEAR(std::acos(looks[1].dot(looks[0])), toRadians(120), 1e-6);
 }
 
 TEST_F(PhotoControllerTest, SaysOfAPhotoThatMissesTheOrgan) {

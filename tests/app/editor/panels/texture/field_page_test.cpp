@@ -31,7 +31,9 @@ TEST(FieldPage, LeavesAFieldAsItIsWhenItsPhotoIsOpened) {
         document.edit("field", [&](Project& project) {
             TextureLayer layer;
             layer.photo = makeSamplePhoto("serosa");
-            layer.preparation.field = field;
+            PhotoPreparation preparation;
+            preparation.field = field;
+            prepare(layer, preparation);
             project.layers = {layer};
             numberByPlace(project.layers);
         });
