@@ -29,7 +29,7 @@ int strongestOf(const std::uint8_t* pixel) {
     return std::max({pixel[0], pixel[1], pixel[2]});
 }
 
-/// The least and the greatest share that a channel has of the brightest one, of four fifths of the pixels
+/// The least and the greatest share that a channel has of the brightest one, of nine tenths of the pixels
 /// that are usable.
 std::pair<float, float> usualShares(const cv::Mat& colours, const cv::Mat& unusable, int channel) {
     std::vector<float> shares;
@@ -40,8 +40,8 @@ std::pair<float, float> usualShares(const cv::Mat& colours, const cv::Mat& unusa
                 shares.push_back(static_cast<float>(pixel[channel]) / static_cast<float>(strongestOf(pixel)));
         }
     if (shares.empty()) return {0.0F, 1.0F};
-    const auto tenth = static_cast<std::ptrdiff_t>(shares.size() / 10);
-    const auto least = shares.begin() + tenth, most = shares.end() - 1 - tenth;
+    const auto rare = static_cast<std::ptrdiff_t>(shares.size() / 20);
+    const auto least = shares.begin() + rare, most = shares.end() - 1 - rare;
     std::nth_element(shares.begin(), least, shares.end());
     const float low = *least;
     std::nth_element(shares.begin(), most, shares.end());

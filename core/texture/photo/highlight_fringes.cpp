@@ -8,13 +8,14 @@ namespace esm {
 
 namespace {
 
-// Rims of a laparoscope and of a rhinoscope had 0.7 to 0.95 times as much blue as red, and 1.05 to 1.5 times
-// as much blue as green, where the tissue around had 0.35 to 0.45 and 0.7 to 1.
+// Rims of a laparoscope and of a rhinoscope had 0.7 to 0.95 times as much blue as red where the tissue around
+// had 0.35 to 0.45, and 0.7 to 0.86 times as much green as the lesser of both. What is pale under a bluish
+// lamp has as much blue, but more green.
 constexpr int partsAcross = 24;       ///< of the longer side: as wide is what a rim is compared with
 constexpr int darkestCompared = 32;   ///< red; what is darker has no colour to compare
 constexpr float bluer = 1.15F;        ///< times as much blue to red as around …
 constexpr float bluerAtLeast = 0.04F; ///< … and so much more is no tissue's
-constexpr float lilac = 1.03F;        ///< times as much blue as green
+constexpr float lilac = 0.88F;        ///< times as much green as the lesser of red and blue, at most
 
 /// Blue to red, and 1 where that says what tissue is like.
 struct Blueness {
@@ -57,7 +58,8 @@ void addFringes(cv::Mat& mask, const Image& photo, int reach) {
         for (int x = 0; x < photo.width; ++x) {
             if (near.at<std::uint8_t>(y, x) == 0 || !(tissue(y, x) > 0)) continue;
             const std::uint8_t* pixel = photo.at(x, y);
-            const bool isLilac = static_cast<float>(pixel[2]) > lilac * static_cast<float>(pixel[1]);
+            const bool isLilac =
+                static_cast<float>(pixel[1]) < lilac * static_cast<float>(std::min(pixel[0], pixel[2]));
             if (isLilac && blueness.ratio(y, x) > bluer * tissue(y, x) + bluerAtLeast)
                 mask.at<std::uint8_t>(y, x) = 255;
         }
