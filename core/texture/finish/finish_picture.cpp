@@ -15,10 +15,6 @@ namespace {
 constexpr int noHeight = 128;
 constexpr float heightSteps = 127; ///< of blue, from none to the greatest
 
-/// The longer side of a photo, pixels, beyond which it is looked at smaller: detail of so large a photo is
-/// many pixels wide, and its own size would take ten times its memory.
-constexpr int longestFinished = 4096;
-
 // In parts of the picture's diagonal, so that the same photo in another size has the same finish.
 constexpr double filmSpread = 0.006; ///< by which the film goes on around a highlight
 constexpr float strengthened = 4;    ///< flecks are small, and would vanish in what they spread over
@@ -60,7 +56,7 @@ cv::Mat1f filmAround(const Image& photo, const PhotoPreparation& preparation) {
     PhotoPreparation lens;
     lens.lens = preparation.lens;
     if (preparation.lens) drawn = prepared(drawn, lens);
-    const Image looked = shrunk(drawn, longestFinished);
+    const Image looked = shrunk(drawn, longestLookedAt);
     cv::Mat1f film(looked.height, looked.width);
     for (int y = 0; y < looked.height; ++y)
         for (int x = 0; x < looked.width; ++x)
@@ -136,7 +132,7 @@ std::vector<std::uint8_t> filmOf(const Image& photo, const PhotoPreparation& pre
 }
 
 std::vector<std::int8_t> heightsOf(const Image& shown) {
-    const cv::Mat1b bytes = inSizeOf(shown, detailOf(shrunk(shown, longestFinished)), [](float brighter) {
+    const cv::Mat1b bytes = inSizeOf(shown, detailOf(shrunk(shown, longestLookedAt)), [](float brighter) {
         const float height = std::clamp(heightAtHalf * brighter, -1.0F, 1.0F);
         return static_cast<std::uint8_t>(noHeight + std::lround(heightSteps * height));
     });

@@ -1,5 +1,6 @@
 #include "core/texture/photo/highlight_fringes.h"
 #include "core/texture/photo/highlights.h"
+#include "core/texture/photo/photo_sampler.h"
 
 #include <opencv2/imgproc.hpp>
 
@@ -255,10 +256,6 @@ cv::Mat withRim(const cv::Mat& mask, const cv::Mat& opaque, int rim) {
     return wider;
 }
 
-/// The longer side of a photo, pixels, beyond which it is looked at smaller: flecks of so large a photo are
-/// many pixels wide, and the whole of it would take ten times its own memory.
-constexpr int longestLookedAt = 4096;
-
 PixelMask flecksOf(const Image& photo, double sensitivity) {
     constexpr double mostNeeded = 68, leastNeeded = 10;
     const double needed = mostNeeded * std::pow(leastNeeded / mostNeeded, sensitivity);
@@ -270,7 +267,8 @@ PixelMask flecksOf(const Image& photo, double sensitivity) {
     return pixelMaskOf(flecks);
 }
 
-Image shrunk(const Image& photo) {
+/// As large as it is looked at, whatever its size: halving would leave as little as half of that.
+Image copyToLookAt(const Image& photo) {
     const double share = static_cast<double>(longestLookedAt) / std::max(photo.width, photo.height);
     const cv::Mat whole(photo.height, photo.width, CV_8UC4, const_cast<std::uint8_t*>(photo.pixels.data()));
     const cv::Mat reduced = reducedBy(share, whole);
@@ -303,7 +301,7 @@ PixelMask maskOfWhole(PixelMask small, const cv::Size& size, const Image& photo)
 PixelMask highlightMask(const Image& photo, double sensitivity) {
     if (photo.empty()) return {};
     if (std::max(photo.width, photo.height) <= longestLookedAt) return flecksOf(photo, sensitivity);
-    const Image small = shrunk(photo);
+    const Image small = copyToLookAt(photo);
     return maskOfWhole(flecksOf(small, sensitivity), {small.width, small.height}, photo);
 }
 

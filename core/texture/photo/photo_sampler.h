@@ -11,6 +11,10 @@ namespace esm {
 /// The picture at half its width and height, rounded up. Colours count by their alpha.
 Image halved(const Image& image);
 
+/// The longer side of a photo, pixels, beyond which something is looked for in a smaller copy: what is found
+/// is many pixels wide there, and the photo's own size would take ten times its memory.
+constexpr int longestLookedAt = 4096;
+
 /// The picture, halved until no side is longer.
 Image shrunk(const Image& image, int longestSide);
 
