@@ -28,8 +28,9 @@ namespace {
 /// its right and left by turns.
 Camera fannedOut(const Camera& camera, std::size_t photo, std::size_t photos) {
     const double apart = std::min(toRadians(60), toRadians(360) / static_cast<double>(photos));
-    const auto places = static_cast<double>((photo + 1) / 2);
-    return orbited(camera, apart * (photo % 2 == 1 ? places : -places), 0);
+    const std::size_t places = (photo + 1) / 2;
+    const double side = photo % 2 == 1 ? 1 : -1;
+    return orbited(camera, side * apart * static_cast<double>(places), 0);
 }
 
 } // namespace
