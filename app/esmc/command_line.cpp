@@ -34,6 +34,7 @@ void describe(CLI::App& app, Context& context) {
     addFuzzyCommands(app, context);
     addTissueCommand(app, context);
     addScaleCommand(app, context);
+    addInsideCommand(app, context);
     addSceneCommand(app, context);
     addSimulateCommand(app, context);
     addStabilityCommand(app, context);

@@ -1,5 +1,6 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
+#include "app/esmc/filling_options.h"
 #include "app/esmc/model_report.h"
 #include "core/authoring/import_unit.h"
 #include "core/exchange/meshes/mesh_file.h"
@@ -20,6 +21,7 @@ struct ImportOptions {
     std::optional<double> mass; // kg; from the surface without
     UpAxis up = UpAxis::Y;
     Detail detail;
+    FillingOptions filling;
 };
 
 Detail requestedDetail(const std::string& given) {
@@ -82,6 +84,18 @@ void declareImport(CLI::App& command, ImportOptions& options) {
             "as "
             "one stiff piece (default: every vertex is a node)")
         ->option_text("N|rigid");
+    declareFilling(command, options.filling, "without it the organ is hollow, its surface alone has springs");
+}
+
+/// @throws UsageError, InvalidModel
+Detail detailFor(const ImportOptions& options, const TriangleMesh& mesh) {
+    if (!options.filling.kind) {
+        if (options.filling.spacing) throw UsageError("--spacing: say with --fill what fills the organ");
+        return options.detail;
+    }
+    if (options.detail.kind != Detail::Kind::EveryVertex)
+        throw UsageError("--fill and --detail exclude each other: the spacing says how many nodes there are");
+    return {Detail::Kind::Filled, 0, chosenFilling(mesh, options.filling)};
 }
 
 /// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.
@@ -115,8 +129,10 @@ Report runImport(const ImportOptions& options, Context& context) {
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
     const std::string doubt = doubtfulSize(size, options);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
-    const Project project = makeProject(std::filesystem::path(options.mesh).stem().string(),
-                                        std::move(surface), options.mass, options.detail);
+    const Detail detail = detailFor(options, surface.mesh);
+    const Project project =
+        makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass,
+                    detail, progressOf(context, "building"));
     return saveAndReport(project, output);
 }
 

@@ -94,6 +94,15 @@ void addDetail(Report& report, const TriangleMesh& mesh, const SpringNetwork& ne
         report.json["detail"] = detail.nodes;
         report.text.push_back("detail: " + counted(detail.nodes, "node") + " carry " + drawn);
         return;
+    case Detail::Kind::Filled:
+        report.json["detail"] = {{"lattice", wordOf(detail.filling->kind)},
+                                 {"spacing", detail.filling->spacing},
+                                 {"tetrahedra", network.lattice->tetrahedra.size()}};
+        report.text.push_back("inside: " + std::string(wordOf(detail.filling->kind)) + " lattice, spacing " +
+                              inText(detail.filling->spacing) + " m, " +
+                              counted(network.lattice->tetrahedra.size(), "tetrahedron", "tetrahedra") +
+                              "; its nodes carry " + drawn);
+        return;
     case Detail::Kind::Rigid:
         report.json["detail"] = "rigid";
         report.text.push_back("detail: rigid, the springs move " + drawn + " as one piece");

@@ -2,6 +2,7 @@
 
 #include "app/esmc/opened_file.h"
 #include "core/exchange/project/scene_file.h"
+#include "core/project/surroundings.h"
 #include "core/support/errors.h"
 
 namespace esm {

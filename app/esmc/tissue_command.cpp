@@ -7,6 +7,7 @@
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/tissue_preset_file.h"
+#include "core/project/surroundings.h"
 #include "core/project/tissue_beneath.h"
 #include "core/support/numbers.h"
 

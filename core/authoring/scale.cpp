@@ -21,13 +21,14 @@ std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double fact
         TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles, mesh.textureCoordinates});
 }
 
-/// A binding's shares and turns do not depend on size. Rest lengths are scaled on their own, not taken anew
-/// from the places: a network may have been drawn with tension.
+/// A binding's shares and turns do not depend on size, nor do a lattice's. Rest lengths are scaled on their
+/// own, not taken anew from the places: a network may have been drawn with tension.
 std::shared_ptr<const SpringNetwork> scaled(const SpringNetwork& network, double factor) {
     auto result = std::make_shared<SpringNetwork>(network);
     result->restPositions = scaled(network.restPositions, factor);
     for (Spring& spring : result->springs)
         spring.restLength *= factor;
+    if (result->lattice) result->lattice->filling.spacing *= factor;
     return result;
 }
 

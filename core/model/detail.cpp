@@ -6,6 +6,7 @@ namespace esm {
 // triangles is a coarser surface; one without is the line of the stiff piece.
 Detail detailOf(const SpringNetwork& network) {
     const std::size_t nodes = network.restPositions.size();
+    if (network.lattice) return {Detail::Kind::Filled, nodes, network.lattice->filling};
     if (!network.binding) return {Detail::Kind::EveryVertex, nodes};
     return {isOnOneLine(*network.binding) ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes};
 }

@@ -1,5 +1,7 @@
 #include "core/model/spring_network.h"
 
+#include "core/support/offenders.h"
+
 #include <numeric>
 
 namespace esm {
@@ -41,6 +43,7 @@ Eigen::AlignedBox3d organBox(const TriangleMesh& mesh, const SpringNetwork& netw
 // Several vertices may hang on one node. Triangles whose corners do have shrunk to a line or a point and
 // cannot be touched.
 std::vector<Triangle> simulatedSurface(const TriangleMesh& mesh, const SpringNetwork& network) {
+    if (network.lattice) return network.lattice->surface;
     if (network.binding) return network.binding->surface;
     std::vector<Triangle> surface;
     surface.reserve(mesh.triangles.size());
@@ -58,6 +61,12 @@ std::vector<std::string> carryingProblems(const TriangleMesh& mesh, const Spring
     if (network.vertexNodes.size() != mesh.vertices.size())
         problems.push_back(std::to_string(network.vertexNodes.size()) + " of the mesh's " +
                            std::to_string(mesh.vertices.size()) + " vertices are tied to nodes");
+    if (network.lattice) {
+        if (!network.binding)
+            problems.emplace_back("nothing binds the drawn surface to the lattice that fills it");
+        addUnder(problems, "the lattice",
+                 validate(*network.lattice, network.restPositions, network.springs.size()));
+    }
     if (!network.binding) return problems;
     for (std::string& problem :
          validate(*network.binding, mesh.vertices.size(), network.restPositions.size()))

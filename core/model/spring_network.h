@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/model/binding.h"
+#include "core/model/lattice.h"
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@ struct SpringNetwork {
     std::vector<Spring> springs;
     std::vector<std::uint32_t> vertexNodes; ///< the node that carries most of each vertex of the drawn mesh
     std::optional<Binding> binding;         ///< none: each drawn vertex keeps its place at its node
+    std::optional<Lattice> lattice{};       ///< of what fills the body; its nodes carry all by the binding
 };
 
 /// Edges become springs, vertices nodes [R 2.3.7]; node i is vertex i.

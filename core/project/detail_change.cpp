@@ -1,5 +1,7 @@
 #include "core/project/detail_change.h"
 
+#include "core/project/surroundings.h"
+
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -59,47 +61,45 @@ private:
     Nodes m_order;
 };
 
+Nodes everyNode(const SpringNetwork& network) {
+    Nodes nodes(network.restPositions.size());
+    std::iota(nodes.begin(), nodes.end(), 0U);
+    return nodes;
+}
+
 /// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to. The first alone
 /// would leave gaps between where the new nodes are the denser ones; the second alone might fix none where
-/// they are the sparser.
-Nodes stillFixed(const Points& before, const Points& after, const PointSearch& afterwards, const Nodes& fixed,
-                 const Progress& progress) {
+/// they are the sparser. What lies within a body is fixed by none of a surface.
+Nodes stillFixed(const SpringNetwork& former, const SpringNetwork& present, const PointSearch& afterwards,
+                 const Nodes& fixed, const Progress& progress) {
     if (fixed.empty()) return {};
     ProgressParts parts(progress);
-    Nodes result = afterwards.nearest(before, fixed, parts.next(0.5));
+    Nodes result = afterwards.nearest(former.restPositions, fixed, parts.next(0.5));
     const std::set<std::uint32_t> wasFixed(fixed.begin(), fixed.end());
-    const PointSearch formerly(before);
+    const PointSearch formerly(former.restPositions);
     const Progress looking = parts.rest();
-    for (std::uint32_t node = 0; node < after.size(); ++node) {
-        reportStep(looking, node, after.size());
-        if (wasFixed.count(formerly.nearest(after[node])) > 0) result.push_back(node);
+    const Nodes candidates =
+        present.lattice && !former.lattice ? surfaceNodes(*present.lattice) : everyNode(present);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        reportStep(looking, i, candidates.size());
+        const std::uint32_t node = candidates[i];
+        if (wasFixed.count(formerly.nearest(present.restPositions[node])) > 0) result.push_back(node);
     }
     std::sort(result.begin(), result.end());
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 
-// What tethers hold the whole organ with is their number times their constant. The number is that of whole
-// tethers, one for the first node and one for each `every`-th after it.
-TetherRule asStrong(TetherRule rule, std::size_t nodesBefore, std::size_t nodesAfter) {
-    const auto tethers = [&rule](std::size_t nodes) {
-        const std::size_t count = (nodes + rule.every - 1) / rule.every;
-        return static_cast<double>(count);
-    };
-    const double factor = tethers(nodesBefore) / tethers(nodesAfter);
-    rule.springConstant *= factor;
-    rule.viscosity *= factor;
-    return rule;
-}
-
-Scene overOtherNodes(Scene scene, const Points& before, const Points& after, const Progress& progress) {
+Scene overOtherNodes(Scene scene, const SpringNetwork& former, const SpringNetwork& present,
+                     const Progress& progress) {
+    const Points& before = former.restPositions;
     ProgressParts parts(progress);
     const double share = 1 / static_cast<double>(scene.fixed.size() + 1);
-    const PointSearch afterwards(after);
+    const PointSearch afterwards(present.restPositions);
     for (NodeSelection& selection : scene.fixed)
-        selection.nodes = stillFixed(before, after, afterwards, selection.nodes, parts.next(share));
+        selection.nodes = stillFixed(former, present, afterwards, selection.nodes, parts.next(share));
     for (TetherRule& rule : scene.tethers)
-        rule = asStrong(rule, before.size(), after.size());
+        rule = asStrong(rule, outerNodes(former).size(), outerNodes(present).size());
     scene.splits.clear();
     const auto isMadeBySplit = [&](std::uint32_t node) { return node >= before.size(); };
     const auto actsOnOne = [&](const auto& load) { return isMadeBySplit(load.node); };
@@ -134,8 +134,7 @@ Project withDetail(const Project& project, const Detail& detail, const Progress&
     changed.network = fresh.network;
     changed.stepping.reset();
     if (!isRigid(project) && !isRigid(fresh)) {
-        changed.scene = overOtherNodes(project.scene, project.network->restPositions,
-                                       fresh.network->restPositions, parts.rest());
+        changed.scene = overOtherNodes(project.scene, *project.network, *fresh.network, parts.rest());
     } else if (isRigid(project) != isRigid(fresh)) {
         changed.base = fresh.base;
         changed.base.stiffening = project.base.stiffening;

@@ -5,13 +5,13 @@
 
 namespace esm {
 
-/// The same organ at another level of detail. Its mass, its tissue and its hold on the surroundings stay as
-/// they are over the surface: so many times fewer tethers are so many times stronger. What the scene says of
-/// a node is said of the new node nearest to it; fixed nodes fix those around them, and of two led nodes that
-/// come to the same place the first is led. Splits are left out, and what names a node that they make: other
-/// nodes have other edges. What becomes rigid, or was, takes the default spring constant, viscosity and hold
-/// of its level, and loses its forces, led nodes and the list of recorded nodes. How to step it best has to
-/// be measured again.
+/// The same organ at another level of detail, hollow or filled. Its mass, its tissue and its hold on the
+/// surroundings stay as they are over the surface: so many times fewer tethers are so many times stronger.
+/// What the scene says of a node is said of the new node nearest to it; fixed nodes fix those around them,
+/// and of two led nodes that come to the same place the first is led. Splits are left out, and what names a
+/// node that they make: other nodes have other edges. What becomes rigid, or was, takes the default spring
+/// constant, viscosity and hold of its level, and loses its forces, led nodes and the list of recorded nodes.
+/// How to step it best has to be measured again.
 /// @throws InvalidModel when the surface has no such level of detail; Cancelled
 Project withDetail(const Project& project, const Detail& detail, const Progress& progress = {});
 

@@ -1,8 +1,9 @@
 #include "core/project/project.h"
 
-#include "core/geometry/disjoint_sets.h"
 #include "core/model/motion_model.h"
 #include "core/project/simulated_network.h"
+#include "core/project/solid_tissue.h"
+#include "core/project/surroundings.h"
 #include "core/project/tissue_beneath.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
@@ -32,9 +33,6 @@ constexpr double rigidViscosity = 6;            // N·s/m
 
 constexpr double tissueDensity = 1000; // kg/m³
 
-/// The part of the organ's size over which a poke fades.
-constexpr double pokeExtent = 0.15;
-
 /// Within this time viscosity has to overcome inertia, or the organ would wobble like no tissue. Organs of
 /// anatomical size and density stay below it by far.
 constexpr double longestInertia = 0.05; // s
@@ -45,38 +43,6 @@ double defaultMass(const TriangleMesh& mesh, bool closed) {
     return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * wallThickness);
 }
 
-double meanRestLength(const SpringNetwork& network) {
-    double sum = 0;
-    for (const Spring& spring : network.springs)
-        sum += spring.restLength;
-    return sum / static_cast<double>(network.springs.size());
-}
-
-/// A part held by fewer than three tethers could turn or drift away: a tether holds a place, one leaves all
-/// turns free and two the turn about their line.
-bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
-    const auto nodes = static_cast<std::uint32_t>(network.restPositions.size());
-    DisjointSets parts(nodes);
-    for (const Spring& spring : network.springs)
-        parts.join(spring.first, spring.second);
-    std::vector<std::uint32_t> tethers(nodes, 0);
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        tethers[parts.lowest(node)] += node % every == 0;
-    for (std::uint32_t node = 0; node < nodes; ++node)
-        if (tethers[parts.lowest(node)] < 3) return false;
-    return true;
-}
-
-/// A tether's share of a spring for which a poke takes along the same part of the organ however fine its mesh
-/// is. In a row of springs c with a tether k at each node, a displacement u at rest fulfils c·e²·u″ = k·u, e
-/// the springs' length: it fades as exp(−x/L) with L = e·sqrt(c/k). With L the given part of the organ's
-/// size, k/c is (e/L)².
-double tetherShare(const SpringNetwork& network) {
-    const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
-    const double edgesPerExtent = extent / meanRestLength(network);
-    return 1 / (edgesPerExtent * edgesPerExtent);
-}
-
 /// Default tissue for an organ of this mass. Mass grows with the size's cube and viscosity does not, so what
 /// is larger than any organ (a unit mistaken, say) needs firmer tissue to move like one.
 BaseTissue defaultTissue(double mass, double nodes, double share) {
@@ -85,21 +51,15 @@ BaseTissue defaultTissue(double mass, double nodes, double share) {
     return {firmness * defaultSpringConstant, firmness * defaultViscosity, mass};
 }
 
-/// The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness, so that the
-/// organ on its tethers comes to rest as its tissue does. Every third node has one, as at the source, three
-/// times as strong as one at every node would be; small parts, which that would not hold, are the reason to
-/// tie all.
-TetherRule defaultTethers(const SpringNetwork& network, const BaseTissue& base, double share) {
-    const std::uint32_t every = everyPartIsHeld(network, 3) ? 3 : 1;
-    return {every, every * share * base.springConstant, every * share * base.viscosity};
-}
-
-/// Tissue and tethers for a surface of springs. Precondition: the base has its mass.
-void tieToSurroundings(Project& project) {
-    const SpringNetwork& network = *project.network;
-    const double share = tetherShare(network);
-    project.base = defaultTissue(project.base.mass, static_cast<double>(network.restPositions.size()), share);
-    project.scene.tethers.push_back(defaultTethers(network, project.base, share));
+/// Tissue and tethers as those of a surface of springs suit it. Precondition: the base has its mass, and the
+/// surface springs.
+void tieToSurroundings(Project& project, const SpringNetwork& surface) {
+    const double share = tetherShare(surface);
+    project.base = defaultTissue(project.base.mass, static_cast<double>(surface.restPositions.size()), share);
+    const TetherRule rule =
+        defaultTethers(surface, share, project.base.springConstant, project.base.viscosity);
+    project.scene.tethers.push_back(
+        asStrong(rule, outerNodes(surface).size(), outerNodes(*project.network).size()));
 }
 
 /// What moves rigidly: held by its fixed nodes, firm as the uterus.
@@ -126,19 +86,20 @@ double mixed(double beneath, double above, double weight) {
 
 /// Mixes a region's parameters into those beneath. Regions are laid from the first to the last, each onto
 /// what the ones before have made: the order is the user's, and a weight of 1 hides what lies beneath.
-void lay(TissueModel& model, const Region& region) {
+/// @param sizes `nodeSizes()`
+void lay(TissueModel& model, const Region& region, const std::vector<double>& sizes) {
     const TissueValues values = evaluate(region).values;
     const std::vector<double> weights = nodeWeights(*model.network, region);
     // What is reached with less than the weight of one node gets no more than its share: a rim that hardly
     // touches a single node would else load the whole mass upon it.
-    const double sum = std::max(1.0, std::accumulate(weights.begin(), weights.end(), 0.0));
+    const double sum = std::max(1.0, std::inner_product(weights.begin(), weights.end(), sizes.begin(), 0.0));
     for (std::size_t node = 0; node < weights.size(); ++node) {
         const double weight = weights[node];
         if (weight == 0) continue;
         if (values.springConstant)
             model.springConstant[node] = mixed(model.springConstant[node], *values.springConstant, weight);
         if (values.viscosity) model.viscosity[node] = mixed(model.viscosity[node], *values.viscosity, weight);
-        if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass / sum, weight);
+        if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass * sizes[node] / sum, weight);
     }
 }
 
@@ -152,9 +113,11 @@ void warnOfOutputsNotReached(RegionTissue& tissue, const Project& project, const
     }
 }
 
-void tie(TissueModel& model, const TetherRule& rule) {
-    for (std::size_t node = 0; node < model.network->restPositions.size(); node += rule.every)
-        model.tethers.push_back({static_cast<std::uint32_t>(node), rule.springConstant, rule.viscosity});
+void tie(TissueModel& model, const std::vector<TetherRule>& rules) {
+    const std::vector<OuterNode> outer = outerNodes(*model.network);
+    for (const TetherRule& rule : rules)
+        for (const Tether& tether : tethersOf(rule, outer))
+            model.tethers.push_back(tether);
 }
 
 } // namespace
@@ -178,8 +141,10 @@ Project makeProject(std::string name, RepairedMesh surface, std::optional<double
     project.base = {defaultSpringConstant, defaultViscosity, mass};
     if (detail.kind == Detail::Kind::Rigid)
         hangOnFixedNodes(project);
+    else if (detail.kind == Detail::Kind::Filled)
+        tieToSurroundings(project, networkFromMesh(surface.mesh));
     else if (!project.network->springs.empty())
-        tieToSurroundings(project);
+        tieToSurroundings(project, *project.network);
     noteCoarseness(surface.report, detail, project.network->restPositions.size());
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
@@ -214,14 +179,16 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     const std::size_t nodes = project.network->restPositions.size();
     TissueModel model;
     model.network = project.network;
-    model.mass.assign(nodes, project.base.mass / static_cast<double>(nodes));
+    const std::vector<double> sizes = nodeSizes(*model.network);
+    for (const double size : sizes)
+        model.mass.push_back(size * (project.base.mass / static_cast<double>(nodes)));
     model.springConstant.assign(nodes, project.base.springConstant);
     model.viscosity.assign(nodes, project.base.viscosity);
     model.stiffening = project.base.stiffening;
     for (const Region& region : project.regions)
-        lay(model, region);
-    for (const TetherRule& rule : scene.tethers)
-        tie(model, rule);
+        lay(model, region, sizes);
+    model.ownValues = latticeValues(model);
+    tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
     return model;
 }
@@ -241,13 +208,6 @@ std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scen
         fixed.insert(fixed.end(), nodes.begin(), nodes.end());
     }
     return eachOnce(std::move(fixed));
-}
-
-std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene) {
-    std::size_t count = 0;
-    for (const TetherRule& rule : scene.tethers)
-        count += (network.restPositions.size() + rule.every - 1) / rule.every;
-    return count;
 }
 
 std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model) {

@@ -117,9 +117,6 @@ std::vector<std::uint32_t> fixedNodesOf(const SpringNetwork& network, const Scen
 /// All that a selection names, sorted, each once.
 std::vector<std::uint32_t> nodesOf(const SpringNetwork& network, const NodeSelection& selection);
 
-/// How many tethers a scene's rules make.
-std::size_t tetherCountOf(const SpringNetwork& network, const Scene& scene);
-
 /// What of a scene has no effect on the model it was evaluated for: ellipsoids that hold no node, forces and
 /// paths of fixed nodes. Precondition: the scene is valid for the network.
 std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& model);

@@ -1,6 +1,8 @@
 #include "core/project/simulated_network.h"
 
 #include "core/model/motion_model.h"
+#include "core/solid/lattice_binding.h"
+#include "core/support/errors.h"
 #include "core/surface/simplify.h"
 
 namespace esm {
@@ -23,6 +25,24 @@ SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes, const 
     return network;
 }
 
+SpringNetwork filledNetwork(const TriangleMesh& mesh, const LatticeFilling& filling,
+                            const Progress& progress) {
+    ProgressParts parts(progress);
+    FilledBody filled = fillBody(mesh, filling, parts.next(0.8));
+    SpringNetwork network;
+    network.binding = bindToLattice(mesh, filled, parts.rest());
+    network.vertexNodes = mainNodes(*network.binding);
+    Lattice lattice{filling, {}, outerTriangles(filled.tetrahedra), {}};
+    for (const auto& [first, second, constant] : filled.springs) {
+        network.springs.push_back({first, second, (filled.nodes[first] - filled.nodes[second]).norm()});
+        lattice.springShares.push_back(constant);
+    }
+    lattice.tetrahedra = std::move(filled.tetrahedra);
+    network.restPositions = std::move(filled.nodes);
+    network.lattice = std::move(lattice);
+    return network;
+}
+
 } // namespace
 
 SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress) {
@@ -31,6 +51,8 @@ SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Pr
         return coarserNetwork(mesh, detail.nodes, progress);
     case Detail::Kind::Rigid:
         return motionModelOf(mesh);
+    case Detail::Kind::Filled:
+        return filledNetwork(mesh, detail.filling.value_or(LatticeFilling()), progress);
     case Detail::Kind::EveryVertex:
         break;
     }

@@ -7,7 +7,8 @@ namespace esm {
 
 /// The network of a surface at a level of detail. A surface that cannot be made as coarse as wanted has more
 /// nodes.
-/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted; Cancelled
+/// @throws InvalidModel when fewer than 4 nodes or more than there are vertices are wanted, and as fillBody()
+/// does; Cancelled
 SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress = {});
 
 } // namespace esm

@@ -129,11 +129,9 @@ private:
 
 // A tetrahedral solid of modulus E and ν = 1/4 has springs E·V/L² along the edges of a tetrahedron of volume
 // V (Van Gelder 1998): its mean over all directions is exact whatever the tetrahedron's shape, and it is what
-// the lattices' own constants come to in their own. Bare diamond has no modulus; its skin takes that of the
-// one with second neighbours.
+// the lattices' own constants come to in their own.
 double cutStiffnessOf(LatticeKind kind, double spacing) {
-    const LatticeKind stiff = kind == LatticeKind::BareDiamond ? LatticeKind::Diamond : kind;
-    return elasticityOf(stiff).youngsModulus() / spacing;
+    return relativeModulus(kind) / spacing;
 }
 
 BackgroundLattice uniformLattice(LatticeKind kind, double spacing, const ClosedBody& body,
@@ -153,14 +151,6 @@ BackgroundLattice uniformLattice(LatticeKind kind, double spacing, const ClosedB
     }
     taker.numberShares();
     return lattice;
-}
-
-double volumeOf(const Tetrahedron& tetrahedron, const std::vector<Vector3d>& nodes) {
-    const Vector3d& origin = nodes[tetrahedron[0]];
-    return (nodes[tetrahedron[1]] - origin)
-               .cross(nodes[tetrahedron[2]] - origin)
-               .dot(nodes[tetrahedron[3]] - origin) /
-           6;
 }
 
 } // namespace esm

@@ -1,15 +1,13 @@
 #pragma once
 
+#include "core/model/lattice.h"
 #include "core/solid/closed_body.h"
-#include "core/solid/lattice_kind.h"
 #include "core/support/progress.h"
 
 #include <array>
 #include <vector>
 
 namespace esm {
-
-using Tetrahedron = std::array<std::uint32_t, 4>; ///< node indices, in positive order
 
 /// What a tetrahedron that is whole gives to a spring.
 struct LatticeShare {
@@ -40,8 +38,5 @@ BackgroundLattice uniformLattice(LatticeKind kind, double spacing, const ClosedB
 
 /// `cutStiffness` of a kind.
 double cutStiffnessOf(LatticeKind kind, double spacing);
-
-/// Volume of a tetrahedron, m³; negative where it is turned inside out.
-double volumeOf(const Tetrahedron& tetrahedron, const std::vector<Eigen::Vector3d>& nodes);
 
 } // namespace esm

@@ -22,7 +22,7 @@ double thickness(const ClosedBody& body) {
 
 // By volume over area, which needs no directions and tells a plate from a ball of the same width.
 /// A body that is too small for the spacing still gets some three nodes across.
-double spacingFor(const ClosedBody& body, double spacing) {
+double spacingWithin(const ClosedBody& body, double spacing) {
     return std::min(spacing, thickness(body) / 1.5);
 }
 
@@ -62,7 +62,7 @@ LatticeEstimate estimateOf(const std::vector<ClosedBody>& bodies, const LatticeF
     const UnitCell& cell = unitCellOf(filling.kind);
     double within = 0, cuts = 0;
     for (const ClosedBody& body : bodies) {
-        const double spacing = spacingFor(body, filling.spacing);
+        const double spacing = spacingWithin(body, filling.spacing);
         within += cell.density() * body.volume / std::pow(spacing, 3);
         cuts += surfaceNodes(filling.kind) * body.area / (spacing * spacing);
     }
@@ -155,6 +155,21 @@ void append(FilledBody& filled, const Fitted& fitted, double stiffness) {
 
 } // namespace
 
+// Nodes fall with the spacing, by its cube within and by its square at the surface: halving an interval of
+// powers finds it.
+double spacingFor(const TriangleMesh& mesh, LatticeKind kind, double nodes) {
+    const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
+    double finer = std::log(1e-3 * thickness(largestOf(bodies))),
+           wider = std::log(thickness(largestOf(bodies)) / 1.5);
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = (finer + wider) / 2;
+        (estimateOf(bodies, {kind, std::exp(middle)}).nodes > nodes ? finer : wider) = middle;
+    }
+    const double spacing = std::exp(wider);
+    const double digit = std::pow(10, std::floor(std::log10(spacing)) - 1);
+    return digit * std::floor(spacing / digit);
+}
+
 LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling) {
     checkFilling(filling);
     const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
@@ -176,7 +191,7 @@ FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, con
     FilledBody filled;
     filled.bodyStarts.push_back(0);
     for (const ClosedBody& body : bodies) {
-        double spacing = spacingFor(body, filling.spacing);
+        double spacing = spacingWithin(body, filling.spacing);
         const double share = estimateOf({body}, filling).nodes / whole.nodes;
         const Fitted lattice = fittedFinely(body, filling.kind, spacing, parts.next(0.9 * share));
         append(filled, lattice, spacing / filling.spacing);

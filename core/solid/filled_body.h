@@ -7,12 +7,6 @@
 
 namespace esm {
 
-/// What to fill a body with.
-struct LatticeFilling {
-    LatticeKind kind = LatticeKind::BodyCentred;
-    double spacing = 0; ///< of nearest neighbours, m; above 0
-};
-
 /// Nodes, springs and tetrahedra that fill what a surface encloses.
 struct FilledBody {
     std::vector<Eigen::Vector3d> nodes; ///< m; springs are at rest where they are
@@ -31,6 +25,13 @@ struct LatticeEstimate {
 
 /// More nodes than this are refused.
 inline constexpr double mostLatticeNodes = 1e6;
+
+/// As many show how an organ gives way and still move in real time.
+inline constexpr double usualLatticeNodes = 3000;
+
+/// The spacing, to two digits, at which a lattice has about so many nodes.
+/// @throws InvalidModel for a surface that is open, runs through itself or encloses nothing
+double spacingFor(const TriangleMesh& mesh, LatticeKind kind, double nodes);
 
 /// Before anything is filled.
 /// @throws InvalidModel as fillBody() does, except where there would be too many nodes

@@ -1,6 +1,5 @@
 #include "core/solid/lattice_binding.h"
 
-#include "core/geometry/sorted_by_vertex.h"
 #include "core/solid/closed_body.h"
 #include "core/solid/parallel_nodes.h"
 #include "core/support/errors.h"
@@ -14,39 +13,6 @@ namespace esm {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A face of the lattice's surface, and the node of its tetrahedron that lies within.
-struct OuterFace {
-    Triangle nodes; ///< facing outwards
-    std::uint32_t inner;
-};
-
-// Faces are written down by their sorted nodes, once for each side; one that stands alone is on the surface.
-std::vector<OuterFace> outerFaces(const std::vector<Tetrahedron>& tetrahedra) {
-    struct KeyedFace {
-        Triangle key;
-        OuterFace face;
-    };
-    std::vector<KeyedFace> faces;
-    faces.reserve(4 * tetrahedra.size());
-    for (const auto& [a, b, c, d] : tetrahedra)
-        for (const OuterFace& face : {OuterFace{{a, c, b}, d}, OuterFace{{a, b, d}, c},
-                                      OuterFace{{a, d, c}, b}, OuterFace{{b, c, d}, a}}) {
-            Triangle key = face.nodes;
-            std::sort(key.begin(), key.end());
-            faces.push_back({key, face});
-        }
-    faces = sortedByVertex(
-        faces, [](const KeyedFace& face) { return face.key[0]; },
-        [](const KeyedFace& one, const KeyedFace& other) { return one.key < other.key; });
-    std::vector<OuterFace> outer;
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        const bool isInner = (i > 0 && faces[i].key == faces[i - 1].key) ||
-                             (i + 1 < faces.size() && faces[i].key == faces[i + 1].key);
-        if (!isInner) outer.push_back(faces[i].face);
-    }
-    return outer;
-}
 
 // Of all weights with Σw = 1 and Σw·p = x the smallest, nodes counting less the farther away they are: four
 // conditions, solved by four multipliers. Of four nodes there is one solution, the barycentric coordinates.
@@ -125,13 +91,6 @@ private:
 };
 
 } // namespace
-
-std::vector<Triangle> latticeSurface(const FilledBody& filled) {
-    std::vector<Triangle> surface;
-    for (const OuterFace& face : outerFaces(filled.tetrahedra))
-        surface.push_back(face.nodes);
-    return surface;
-}
 
 // A vertex of the drawn surface lies a little beyond the lattice where the organ bulges, a little within
 // where it is hollow. The nearest face of the lattice's surface, of the vertex's own body, names the

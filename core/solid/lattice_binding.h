@@ -5,14 +5,10 @@
 
 namespace esm {
 
-/// The faces of tetrahedra that have a neighbour on one side alone, facing outwards: the surface of the
-/// lattice, over its nodes.
-std::vector<Triangle> latticeSurface(const FilledBody& filled);
-
 /// How the nodes of a filled body carry the surface that was filled: every vertex by the nodes of the
 /// tetrahedron under it, and by more of them where it lies far beyond. Shares sum up to 1 and reproduce the
 /// vertex, Σ w·p⁰ = x⁰, so that it follows a rigid motion and any linear one exactly; beyond the nodes some
-/// are negative. No node turns its surroundings: the binding has no triangles (`latticeSurface()` has what
+/// are negative. No node turns its surroundings: the binding has no triangles (`Lattice::surface` has what
 /// can be touched).
 /// @param mesh the surface that was filled
 /// @throws InvalidModel where it cannot have been; Cancelled

@@ -53,6 +53,10 @@ LatticeElasticity elasticityOf(LatticeKind kind) {
     return {(ofStrain - mixed * pseudoInverse(ofShifts) * mixed.transpose()) / volume};
 }
 
+double LatticeElasticity::bulkModulus() const {
+    return (tensor(0, 0) + 2 * tensor(0, 1)) / 3;
+}
+
 double LatticeElasticity::anisotropy() const {
     return 2 * tensor(3, 3) / (tensor(0, 0) - tensor(0, 1));
 }
@@ -60,15 +64,24 @@ double LatticeElasticity::anisotropy() const {
 // Voigt (1889): the mean of a tensor over all directions has the bulk modulus (C11 + 2·C12)/3 and the shear
 // modulus (C11 − C12 + 3·C44)/5 of a cubic one. Where the lattice is isotropic it is the lattice itself.
 double LatticeElasticity::youngsModulus() const {
-    const double bulk = (tensor(0, 0) + 2 * tensor(0, 1)) / 3;
+    const double bulk = bulkModulus();
     const double shear = (tensor(0, 0) - tensor(0, 1) + 3 * tensor(3, 3)) / 5;
     return 9 * bulk * shear / (3 * bulk + shear);
 }
 
 double LatticeElasticity::poissonsRatio() const {
-    const double bulk = (tensor(0, 0) + 2 * tensor(0, 1)) / 3;
+    const double bulk = bulkModulus();
     const double shear = (tensor(0, 0) - tensor(0, 1) + 3 * tensor(3, 3)) / 5;
     return (3 * bulk - 2 * shear) / (2 * (3 * bulk + shear));
+}
+
+double relativeModulus(LatticeKind kind) {
+    const LatticeElasticity elasticity = elasticityOf(kind);
+    return kind == LatticeKind::BareDiamond ? 1.5 * elasticity.bulkModulus() : elasticity.youngsModulus();
+}
+
+double latticeConstant(const LatticeFilling& filling, double youngsModulus) {
+    return youngsModulus * filling.spacing / relativeModulus(filling.kind);
 }
 
 } // namespace esm

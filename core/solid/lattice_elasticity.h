@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/solid/lattice_kind.h"
+#include "core/model/lattice.h"
 
 #include <Eigen/Core>
 
@@ -15,6 +15,7 @@ struct LatticeElasticity {
     /// Stiffness in shear along the cube's faces over that across them (Zener 1948): 1 where the lattice is
     /// isotropic.
     double anisotropy() const;
+    double bulkModulus() const;
     /// Of the isotropic solid that is nearest to it (Voigt's mean over all directions).
     double youngsModulus() const;
     double poissonsRatio() const;
@@ -25,5 +26,13 @@ struct LatticeElasticity {
 /// 2 whatever the share of its second neighbours: its nearest ones resist compression alone, and a
 /// face-centred lattice has 2.
 LatticeElasticity elasticityOf(LatticeKind kind);
+
+/// Young's modulus of the solid that a lattice stands for, relative as above. A bare diamond lattice has
+/// none; it stands for the solid of ν = 1/4 with its bulk modulus.
+double relativeModulus(LatticeKind kind);
+
+/// The constant between nearest neighbours with which a lattice stands for a solid, N/m.
+/// @param youngsModulus Pa
+double latticeConstant(const LatticeFilling& filling, double youngsModulus);
 
 } // namespace esm

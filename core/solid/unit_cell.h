@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/solid/lattice_kind.h"
+#include "core/model/lattice.h"
 
 #include <Eigen/Core>
 

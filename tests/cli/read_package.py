@@ -268,7 +268,7 @@ class Package:
         if "starts" in self.json.get("binding", {}):
             needed = 6
         self.is_stretched = "layout" in self.json.get("texture", {})
-        known = (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
+        known = (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
         check(self.json["version"] in known, "another version of the extension")
         check(not self.is_stretched or self.json["texture"]["layout"] in ("charts", "own"), "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")
@@ -323,7 +323,25 @@ class Package:
         self.binding = self.json.get("binding")
         if self.binding:
             self.check_binding()
+        if "lattice" in self.json:
+            self.check_lattice()
         self.check_drawn()
+
+    def check_lattice(self):
+        group = self.json["lattice"]
+        check(group["kind"] in ("cubic", "body-centred", "diamond", "bare-diamond"), "an unknown kind of lattice")
+        check(group["spacing"] > 0, "a lattice without spacing")
+        tetrahedra = threes(self.array(group, "tetrahedra", group["tetrahedronCount"], 4), 4)
+        surface = threes(self.array(group, "triangles", group["triangleCount"], 3))
+        shares = self.array(group, "springShares", self.spring_count)
+        check(all(share > 0 for share in shares), "a spring without a share")
+        check(all(node < self.node_count for nodes in tetrahedra + surface for node in nodes),
+              "a lattice's node is out of range")
+        outer = set()
+        for a, b, c, d in tetrahedra:
+            for face in ((a, c, b), (a, b, d), (a, d, c), (b, c, d)):
+                outer ^= {tuple(sorted(face))}
+        check(outer == {tuple(sorted(face)) for face in surface}, "the lattice's surface is not that of its tetrahedra")
 
     def check_binding(self):
         group, count = self.binding, self.json["surface"]["vertexCount"]
@@ -333,7 +351,8 @@ class Package:
         triangles = self.array(group, "triangles", group["triangleCount"], 3)
         lines = self.array(group, "lines", group["lineCount"], 2)
         check(all(node < self.node_count for node in nodes + triangles + lines), "a carrying node is out of range")
-        check(all(0 <= share <= 1 for share in shares), "a share is not of 0 to 1")
+        least, most = (-4, 4) if "lattice" in self.json else (0, 1)
+        check(all(least <= share <= most for share in shares), "a share is not of %d to %d" % (least, most))
         check(all(first != second for first, second in threes(lines, 2)), "a line has one end")
         self.starts = list(starts) if "starts" in group else None
         self.carriers, self.shares = ([values[a:b] for a, b in zip(starts, starts[1:])] for values in (nodes, shares))

@@ -1,7 +1,9 @@
 #include "tests/support/exchange_projects.h"
 
 #include "core/exchange/image_file.h"
+#include "core/project/detail_change.h"
 #include "core/project/simulated_network.h"
+#include "core/solid/filled_body.h"
 #include "tests/support/test_meshes.h"
 
 namespace esm {
@@ -151,6 +153,15 @@ Project boundProject(const Detail& detail) {
 
 // A corner that has the least coordinate along an axis has what its node's share falls by along it. Corners
 // without a share are left out, so that rows are of different lengths.
+Project filledProject() {
+    Project project = richProject();
+    project.layers.clear();
+    project.atlas = nullptr;
+    const LatticeFilling filling{LatticeKind::BodyCentred,
+                                 spacingFor(*project.mesh, LatticeKind::BodyCentred, 60)};
+    return withDetail(project, {Detail::Kind::Filled, 0, filling});
+}
+
 Project latticeProject() {
     Project project = richProject();
     const Eigen::AlignedBox3d box = boundingBox(project.mesh->vertices);

@@ -22,6 +22,9 @@ Project boundProject(const Detail& detail);
 /// The same organ in a lattice of one box, whose eight nodes turn nothing: up to eight carry each vertex.
 Project latticeProject();
 
+/// The same organ filled with a lattice, without photos.
+Project filledProject();
+
 /// The same organ carried by its simulated surface, each vertex by as many nodes of it, from anywhere.
 /// @param length at most 19
 Project rowsProject(std::size_t length);

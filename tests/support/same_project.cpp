@@ -44,6 +44,14 @@ void expectSameBinding(const std::optional<Binding>& a, const std::optional<Bind
     EXPECT_TRUE(sameList(a->vertices.shares, b->vertices.shares, sameBits));
 }
 
+void expectSameLattice(const Lattice& a, const Lattice& b) {
+    EXPECT_EQ(a.filling.kind, b.filling.kind);
+    EXPECT_TRUE(sameBits(a.filling.spacing, b.filling.spacing));
+    EXPECT_EQ(a.tetrahedra, b.tetrahedra);
+    EXPECT_EQ(a.surface, b.surface);
+    EXPECT_TRUE(sameList(a.springShares, b.springShares, sameBits));
+}
+
 void expectSameMesh(const Project& a, const Project& b) {
     EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
     EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
@@ -54,6 +62,8 @@ void expectSameMesh(const Project& a, const Project& b) {
     }));
     EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
     expectSameBinding(a.network->binding, b.network->binding);
+    ASSERT_EQ(a.network->lattice.has_value(), b.network->lattice.has_value());
+    if (a.network->lattice) expectSameLattice(*a.network->lattice, *b.network->lattice);
     forEachField(fieldsOf<RepairReport>, [&](const auto& field) {
         EXPECT_EQ((*a.importReport).*field.member, (*b.importReport).*field.member) << field.key;
     });

@@ -15,6 +15,9 @@ constexpr int versionOfWideBindings = 6;
 /// The first version whose triangles may lie stretched in the texture.
 constexpr int versionOfStretchedLayouts = 7;
 
+/// The first version in which a lattice may fill the body.
+constexpr int versionOfLattices = 8;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

@@ -28,6 +28,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
         version = std::max(version, package_layout::versionOfWideBindings);
     if (extension.has("texture") && extension.member("texture").has("layout"))
         version = std::max(version, package_layout::versionOfStretchedLayouts);
+    if (extension.has("lattice")) version = package_layout::versionOfLattices;
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

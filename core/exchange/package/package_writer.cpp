@@ -3,6 +3,7 @@
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/package/package_materials.h"
 #include "core/exchange/package/page_vertices.h"
+#include "core/exchange/package/tissue_writer.h"
 #include "core/exchange/picture_encoding.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
@@ -34,31 +35,21 @@ constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages 
 
 /// Accessors that the drawn mesh and the extension share.
 struct Shared {
-    std::size_t nodePositions = 0, springNodes = 0, vertexPositions = 0, vertexNodes = 0, triangles = 0;
+    std::size_t vertexPositions = 0, vertexNodes = 0, triangles = 0;
 };
 
 class PackageBuilder {
 public:
     PackageBuilder(const Ingredients& from, const Progress& progress)
         : m_from(from), m_network(*from.tissue.network), m_mesh(*from.project.mesh), m_parts(progress),
-          m_normals(vertexNormals(m_mesh.vertices, m_mesh.triangles)), m_arrays(m_glb) {}
+          m_normals(vertexNormals(m_mesh.vertices, m_mesh.triangles)), m_arrays(m_glb),
+          m_tissue(from.tissue, m_arrays) {}
 
     Glb build();
     const std::vector<std::string>& problems() const { return m_problems; }
 
 private:
-    std::vector<float> floats(const std::vector<double>& values, const char* what);
-    std::vector<float> coordinates(const std::vector<Eigen::Vector3d>& points, const char* what);
-    std::size_t addScalars(const std::vector<double>& values, const char* what) {
-        return m_arrays.addFloats(floats(values, what), GltfType::Scalar);
-    }
-
-    Json nodes();
-    Json springs();
-    Json tethers();
-    Json fixedNodes();
     Json surface();
-    Json binding();
     int version() const;
     Json extension();
 
@@ -85,87 +76,18 @@ private:
     Glb m_glb;
     GltfArrays m_arrays;
     Shared m_shared;
+    TissueWriter m_tissue;
     std::vector<std::string> m_problems;
 };
-
-std::vector<float> PackageBuilder::floats(const std::vector<double>& values, const char* what) {
-    std::vector<float> result;
-    result.reserve(values.size());
-    for (const double value : values) {
-        const bool fits = std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max());
-        if (!fits && (m_problems.empty() || m_problems.back().find(what) == std::string::npos))
-            m_problems.push_back(std::string(what) + " " + std::to_string(result.size()) +
-                                 " is beyond the range of a package's 32-bit numbers");
-        result.push_back(fits ? static_cast<float>(value) : 0.0F);
-    }
-    return result;
-}
-
-std::vector<float> PackageBuilder::coordinates(const std::vector<Eigen::Vector3d>& points, const char* what) {
-    return floats(coordinatesOf(points), what);
-}
-
-Json PackageBuilder::nodes() {
-    m_shared.nodePositions = m_arrays.addFloats(coordinates(m_network.restPositions, "coordinate of a node"),
-                                                GltfType::Vec3, GltfTarget::Vertices);
-    return {{"count", m_network.restPositions.size()},
-            {"restPosition", m_shared.nodePositions},
-            {"mass", addScalars(m_from.tissue.mass, "mass of node")},
-            {"springConstant", addScalars(m_from.tissue.springConstant, "spring constant of node")},
-            {"viscosity", addScalars(m_from.tissue.viscosity, "viscosity of node")}};
-}
-
-Json PackageBuilder::springs() {
-    Json json{{"count", m_network.springs.size()}};
-    if (m_network.springs.empty()) return json;
-    std::vector<std::uint32_t> ends;
-    std::vector<double> restLengths, springConstants, viscosities;
-    for (const Spring& spring : m_network.springs) {
-        ends.insert(ends.end(), {spring.first, spring.second});
-        restLengths.push_back(spring.restLength);
-    }
-    for (const auto& [springConstant, viscosity] : springValues(m_from.tissue)) {
-        springConstants.push_back(springConstant);
-        viscosities.push_back(viscosity);
-    }
-    m_shared.springNodes = m_arrays.addIndices(ends, GltfTarget::Indices);
-    json["nodes"] = m_shared.springNodes;
-    json["restLength"] = addScalars(restLengths, "rest length of spring");
-    json["springConstant"] = addScalars(springConstants, "spring constant of spring");
-    json["viscosity"] = addScalars(viscosities, "viscosity of spring");
-    return json;
-}
-
-Json PackageBuilder::tethers() {
-    Json json{{"count", m_from.tissue.tethers.size()}};
-    if (m_from.tissue.tethers.empty()) return json;
-    std::vector<std::uint32_t> nodes;
-    std::vector<double> springConstants, viscosities;
-    for (const Tether& tether : m_from.tissue.tethers) {
-        nodes.push_back(tether.node);
-        springConstants.push_back(tether.springConstant);
-        viscosities.push_back(tether.viscosity);
-    }
-    json["nodes"] = m_arrays.addIndices(nodes);
-    json["springConstant"] = addScalars(springConstants, "spring constant of tether");
-    json["viscosity"] = addScalars(viscosities, "viscosity of tether");
-    return json;
-}
-
-Json PackageBuilder::fixedNodes() {
-    Json json{{"count", m_from.tissue.fixedNodes.size()}};
-    if (!m_from.tissue.fixedNodes.empty()) json["nodes"] = m_arrays.addIndices(m_from.tissue.fixedNodes);
-    return json;
-}
 
 Json PackageBuilder::surface() {
     Json json{{"vertexCount", m_mesh.vertices.size()}, {"triangleCount", m_mesh.triangles.size()}};
     if (m_mesh.vertices.empty()) return json;
     m_shared.vertexPositions =
         m_mesh.vertices == m_network.restPositions
-            ? m_shared.nodePositions
-            : m_arrays.addFloats(coordinates(m_mesh.vertices, "coordinate of a vertex"), GltfType::Vec3,
-                                 GltfTarget::Vertices);
+            ? m_tissue.nodePositions()
+            : m_arrays.addFloats(m_tissue.coordinates(m_mesh.vertices, "coordinate of a vertex"),
+                                 GltfType::Vec3, GltfTarget::Vertices);
     m_shared.vertexNodes = m_arrays.addIndices(m_network.vertexNodes);
     json["restPosition"] = m_shared.vertexPositions;
     json["vertexNodes"] = m_shared.vertexNodes;
@@ -175,22 +97,8 @@ Json PackageBuilder::surface() {
     return json;
 }
 
-Json PackageBuilder::binding() {
-    const BindingNumbers numbers = numbersOf(*m_network.binding);
-    const std::vector<Triangle>& triangles = m_network.binding->surface;
-    Json json;
-    if (numbers.starts) json["starts"] = m_arrays.addIndices(*numbers.starts);
-    json["nodes"] = m_arrays.addIndices(numbers.nodes);
-    json["shares"] = m_arrays.addFloats(floats(numbers.shares, "share of a node"),
-                                        numbers.starts ? GltfType::Scalar : GltfType::Vec3);
-    json["triangleCount"] = triangles.size();
-    if (!triangles.empty()) json["triangles"] = m_arrays.addIndices(cornersOf(triangles));
-    json["lineCount"] = m_network.binding->lines.size();
-    if (!numbers.lines.empty()) json["lines"] = m_arrays.addIndices(numbers.lines);
-    return json;
-}
-
 int PackageBuilder::version() const {
+    if (m_network.lattice) return package_layout::versionOfLattices;
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
         return package_layout::versionOfStretchedLayouts;
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
@@ -207,12 +115,13 @@ Json PackageBuilder::extension() {
               {"units", package_layout::units},
               {"damping", "isotropic"}};
     if (m_from.tissue.stiffening) json["stiffening"] = writtenFields(*m_from.tissue.stiffening);
-    json["nodes"] = nodes();
-    json["springs"] = springs();
-    json["tethers"] = tethers();
-    json["fixedNodes"] = fixedNodes();
+    json["nodes"] = m_tissue.nodes();
+    json["springs"] = m_tissue.springs();
+    json["tethers"] = m_tissue.tethers();
+    json["fixedNodes"] = m_tissue.fixedNodes();
     json["surface"] = surface();
-    if (isBound()) json["binding"] = binding();
+    if (isBound()) json["binding"] = m_tissue.binding();
+    if (m_network.lattice) json["lattice"] = m_tissue.lattice();
     json["base"] = writtenFields(project.base);
     json["fuzzySystems"] = std::move(regions.systems);
     json["regions"] = std::move(regions.regions);
@@ -278,11 +187,11 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
         pageVertices(m_from.project, m_normals, triangles, isTilted ? WithTangents::Yes : WithTangents::No);
     reportProgress(parts.next(0.1), 1);
     Json attributes;
-    attributes["POSITION"] = m_arrays.addFloats(coordinates(vertices.positions, "coordinate"), GltfType::Vec3,
-                                                GltfTarget::Vertices);
+    attributes["POSITION"] = m_arrays.addFloats(m_tissue.coordinates(vertices.positions, "coordinate"),
+                                                GltfType::Vec3, GltfTarget::Vertices);
     reportProgress(parts.next(0.1), 1);
-    attributes["NORMAL"] =
-        m_arrays.addFloats(coordinates(vertices.normals, "normal"), GltfType::Vec3, GltfTarget::Vertices);
+    attributes["NORMAL"] = m_arrays.addFloats(m_tissue.coordinates(vertices.normals, "normal"),
+                                              GltfType::Vec3, GltfTarget::Vertices);
     reportProgress(parts.next(0.1), 1);
     attributes["TEXCOORD_0"] = m_arrays.addFloats(vertices.places, GltfType::Vec2, GltfTarget::Vertices);
     const std::size_t order = m_arrays.addIndices(vertices.corners, GltfTarget::Indices);
@@ -319,8 +228,8 @@ Json PackageBuilder::drawnSurface(Json& drawn) {
     std::vector<std::uint32_t> triangles(m_mesh.triangles.size());
     std::iota(triangles.begin(), triangles.end(), 0U);
     const Json attributes{{"POSITION", m_shared.vertexPositions},
-                          {"NORMAL", m_arrays.addFloats(coordinates(m_normals, "normal"), GltfType::Vec3,
-                                                        GltfTarget::Vertices)}};
+                          {"NORMAL", m_arrays.addFloats(m_tissue.coordinates(m_normals, "normal"),
+                                                        GltfType::Vec3, GltfTarget::Vertices)}};
     drawn.push_back({{"mesh", 0},
                      {"primitive", 0},
                      {"vertexNodes", m_shared.vertexNodes},
@@ -340,9 +249,9 @@ Json PackageBuilder::drawnNetwork(Json& drawn) {
     std::vector<std::uint32_t> nodes(m_network.restPositions.size());
     std::iota(nodes.begin(), nodes.end(), 0U);
     drawn.push_back({{"mesh", 0}, {"primitive", 0}, {"vertexNodes", m_arrays.addIndices(nodes)}});
-    Json primitive{{"attributes", {{"POSITION", m_shared.nodePositions}}},
+    Json primitive{{"attributes", {{"POSITION", m_tissue.nodePositions()}}},
                    {"mode", m_network.springs.empty() ? points : lines}};
-    if (!m_network.springs.empty()) primitive["indices"] = m_shared.springNodes;
+    if (!m_network.springs.empty()) primitive["indices"] = m_tissue.springNodes();
     return Json::array({std::move(primitive)});
 }
 
@@ -368,6 +277,7 @@ Glb PackageBuilder::build() {
     gltf["extensions"][package_layout::extension] = std::move(springMass);
     for (const std::string& place : nonFiniteNumbers(gltf))
         m_problems.push_back(place + " is not a finite number");
+    m_problems.insert(m_problems.end(), m_tissue.problems().begin(), m_tissue.problems().end());
     return std::move(m_glb);
 }
 

@@ -34,6 +34,7 @@ private:
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
     BindingNumbers readRows(const JsonReader& group, std::size_t nodes, std::size_t vertices) const;
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
+    void readLattice(const JsonReader& group, SpringNetwork& network) const;
     void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
 
@@ -145,6 +146,19 @@ void TissueReader::readBinding(const JsonReader& group, SpringNetwork& network, 
     network.binding = bindingOf(numbers, trianglesOf(corners));
 }
 
+void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) const {
+    const std::size_t nodes = network.restPositions.size();
+    const std::size_t tetrahedra = countOf(group, "tetrahedronCount"),
+                      triangles = countOf(group, "triangleCount");
+    Lattice lattice{
+        valueFrom<LatticeFilling>(group), {}, {}, scalars(group, "springShares", network.springs.size())};
+    const auto corners = m_arrays.indices(group.member("tetrahedra"), 4 * tetrahedra, nodes);
+    for (std::size_t i = 0; i + 3 < corners.size(); i += 4)
+        lattice.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
+    lattice.surface = trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, nodes));
+    network.lattice = std::move(lattice);
+}
+
 PackagedTissue TissueReader::read(const JsonReader& extension) const {
     PackagedTissue package;
     auto network = std::make_shared<SpringNetwork>();
@@ -165,6 +179,7 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
     readSurface(surface, *network, package.mesh);
     if (extension.has("binding"))
         readBinding(extension.member("binding"), *network, countOf(surface, "vertexCount"));
+    if (extension.has("lattice")) readLattice(extension.member("lattice"), *network);
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     return package;
 }

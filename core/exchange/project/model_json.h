@@ -23,6 +23,7 @@ struct VersionNeeds {
     bool shapedMasks = false;       ///< fields and masks of any shape, highlights by surroundings: version 10
     bool finish = false;            ///< how the surface shines: version 11
     bool stretchedLayout = false;   ///< a mesh's own texture coordinates, or triangles stretched: version 11
+    bool lattice = false;           ///< a body that is filled: version 12
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

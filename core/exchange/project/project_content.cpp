@@ -112,6 +112,20 @@ void addBinding(const Network& network, Arrays& arrays) {
                [](const SpringNetwork& n) { return numbersOf(*n.binding).lines; });
 }
 
+std::vector<std::uint32_t> tetrahedronCorners(const SpringNetwork& network) {
+    std::vector<std::uint32_t> corners;
+    for (const Tetrahedron& tetrahedron : network.lattice->tetrahedra)
+        corners.insert(corners.end(), tetrahedron.begin(), tetrahedron.end());
+    return corners;
+}
+
+void addLattice(const Network& network, Arrays& arrays) {
+    arrays.add(layout::latticeTetrahedra, network, 4 * network->lattice->tetrahedra.size(),
+               tetrahedronCorners);
+    arrays.add(layout::latticeSpringShares, network, network->lattice->springShares.size(),
+               [](const SpringNetwork& n) { return n.lattice->springShares; });
+}
+
 Json addAtlas(const std::shared_ptr<const Atlas>& atlas, Arrays& arrays) {
     arrays.add(layout::atlasCorners, atlas, 6 * atlas->corners.size(),
                [](const Atlas& a) { return numbersOf(a.corners); });
@@ -179,6 +193,7 @@ ProjectContent contentOf(const Project& project) {
     addMesh(project.mesh, arrays);
     addNetwork(project.network, arrays);
     if (project.network->binding) addBinding(project.network, arrays);
+    if (project.network->lattice) addLattice(project.network, arrays);
     RegionsJson regions = toJson(project.regions, project.spareSystems);
     Json texture = writtenFields(project.texture.atlas);
     texture.update(writtenFields(project.texture));
@@ -197,6 +212,8 @@ ProjectContent contentOf(const Project& project) {
     if (project.accuracy) content.manifest["accuracy"] = toJson(*project.accuracy);
     if (project.editor) content.manifest["editor"] = writtenFields(*project.editor);
     if (project.atlas) content.manifest["atlas"] = addAtlas(project.atlas, arrays);
+    if (project.network->lattice)
+        content.manifest["lattice"] = writtenFields(project.network->lattice->filling);
     content.manifest["arrays"] = std::move(arrays.counts);
     return content;
 }

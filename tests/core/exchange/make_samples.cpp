@@ -167,6 +167,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-11-healed", healedProject()},
             {"version-11-pressure", pressedProject()},
             {"version-11-own-layout", ownLayoutProject()},
+            {"version-12-filled", filledProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -184,6 +185,7 @@ void writeSamples(const std::filesystem::path& folder) {
         exportPackage(project, folder / "packages" / (name + ".glb"),
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
+    exportPackage(filledProject(), folder / "packages" / "version-8-filled.glb");
     exportPackage(ownLayoutProject(), folder / "packages" / "version-7-own-layout.glb");
     exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
     exportPackage(shiningProject(), folder / "packages" / "version-1-finish.glb");

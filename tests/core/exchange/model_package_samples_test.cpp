@@ -20,7 +20,9 @@ using PackageJson = nlohmann::ordered_json;
 /// The project that a sample was exported from: of its name, or of what a newer version of projects brought.
 std::filesystem::path projectOf(const std::filesystem::path& package) {
     static const std::map<std::string, std::string> ofNewer{
-        {"version-1-finish", "version-11-finish"}, {"version-6-wide-binding", "version-9-wide-binding"}};
+        {"version-1-finish", "version-11-finish"},
+        {"version-6-wide-binding", "version-9-wide-binding"},
+        {"version-8-filled", "version-12-filled"}};
     const auto newer = ofNewer.find(package.stem());
     const std::string name = newer == ofNewer.end() ? package.stem().string() : newer->second;
     return package.parent_path() / ".." / "projects" / (name + ".esm");

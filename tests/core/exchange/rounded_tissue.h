@@ -33,12 +33,21 @@ inline void expectSameBinding(const Binding& package, const Binding& project) {
     EXPECT_EQ(package.vertices.shares, rounded(project.vertices.shares));
 }
 
+inline void expectSameLattice(const Lattice& package, const Lattice& project) {
+    EXPECT_EQ(package.filling, project.filling);
+    EXPECT_EQ(package.tetrahedra, project.tetrahedra);
+    EXPECT_EQ(package.surface, project.surface);
+    EXPECT_EQ(package.springShares, rounded(project.springShares));
+}
+
 /// A package holds a project's tissue in 32-bit numbers.
 inline void expectSameTissue(const TissueModel& package, const TissueModel& project) {
     EXPECT_EQ(package.network->restPositions, rounded(project.network->restPositions));
     EXPECT_EQ(package.network->vertexNodes, project.network->vertexNodes);
     ASSERT_EQ(package.network->binding.has_value(), project.network->binding.has_value());
     if (project.network->binding) expectSameBinding(*package.network->binding, *project.network->binding);
+    ASSERT_EQ(package.network->lattice.has_value(), project.network->lattice.has_value());
+    if (project.network->lattice) expectSameLattice(*package.network->lattice, *project.network->lattice);
     ASSERT_EQ(package.network->springs.size(), project.network->springs.size());
     for (std::size_t i = 0; i < package.network->springs.size(); ++i) {
         const Spring &a = package.network->springs[i], &b = project.network->springs[i];

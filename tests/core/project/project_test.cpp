@@ -1,5 +1,6 @@
 #include "core/project/project.h"
 
+#include "core/project/surroundings.h"
 #include "core/support/errors.h"
 
 #include <gmock/gmock.h>

@@ -77,7 +77,7 @@ TEST(LatticeBinding, HangsEachPartOnItsOwnBody) {
 TEST(LatticeSurface, IsClosedAndFacesOutwards) {
     const TriangleMesh mesh = test::shell(0.1, 0.06);
     const FilledBody filled = fillBody(mesh, {LatticeKind::BodyCentred, 0.012});
-    const TriangleMesh surface{filled.nodes, latticeSurface(filled)};
+    const TriangleMesh surface{filled.nodes, outerTriangles(filled.tetrahedra)};
     double volume = 0;
     for (const Tetrahedron& tetrahedron : filled.tetrahedra)
         volume += volumeOf(tetrahedron, filled.nodes);

@@ -151,7 +151,8 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     sensitive.highlightSensitivity = 0.5;
     EXPECT_EQ(versionWith(sensitive), 10);
     adjusted.adjustment.hue = 5;
-    EXPECT_EQ(versionWith(adjusted), projectFileVersion);
+    EXPECT_EQ(versionWith(adjusted), 11);
+    EXPECT_EQ(version(filledProject()), projectFileVersion);
     Project pressed = paintedProject();
     for (TextureLayer& layer : pressed.layers)
         for (auto& stroke : layer.strokes) {

@@ -1,0 +1,73 @@
+#include "app/esmc/arguments.h"
+#include "app/esmc/commands.h"
+#include "app/esmc/filling_options.h"
+#include "app/esmc/model_report.h"
+#include "app/esmc/opened_file.h"
+#include "app/esmc/project_output.h"
+#include "core/project/detail_change.h"
+#include "core/solid/filled_body.h"
+
+namespace esm {
+
+namespace {
+
+struct InsideOptions {
+    std::string project, output;
+    FillingOptions filling;
+};
+
+void declareInside(CLI::App& command, InsideOptions& options) {
+    command.add_option("project", options.project, "Project to read (.esm)")->required();
+    declareFilling(command, options.filling, "none makes it hollow, every vertex a node");
+    command.get_option("--fill")->required();
+    command
+        .add_option("-o,--output", options.output,
+                    "Project to write; may be the one that is read (without: say only what the filling comes "
+                    "to)")
+        ->check(writtenAs(".esm"));
+}
+
+/// What a filling would come to; nothing is filled.
+Report estimateReport(const Project& project, const LatticeFilling& filling) {
+    const LatticeEstimate estimate = estimateLattice(*project.mesh, filling);
+    Report report;
+    report.json["lattice"] = wordOf(filling.kind);
+    report.json["spacing"] = filling.spacing;
+    report.json["nodes"] = std::round(estimate.nodes);
+    report.json["springs"] = std::round(estimate.springs);
+    report.json["tetrahedra"] = std::round(estimate.tetrahedra);
+    report.json["bytes"] = std::round(estimate.bytes);
+    report.text.push_back(std::string(wordOf(filling.kind)) + " lattice, spacing " + inText(filling.spacing) +
+                          " m: about " + inText(estimate.nodes) + " nodes, " + inText(estimate.springs) +
+                          " springs, " + inText(estimate.tetrahedra) + " tetrahedra; filling takes about " +
+                          inText(estimate.bytes / 1e6) + " MB of memory");
+    return report;
+}
+
+Detail wantedInside(const Project& project, const FillingOptions& options) {
+    if (!options.kind) return {};
+    return {Detail::Kind::Filled, 0, chosenFilling(*project.mesh, options)};
+}
+
+Report runInside(const InsideOptions& options, Context& context) {
+    context.subject = options.project;
+    std::optional<ProjectOutput> output;
+    if (!options.output.empty()) output.emplace(options.output);
+    const Project opened = openedProject(options.project, context);
+    const Detail detail = wantedInside(opened, options.filling);
+    if (!output) {
+        if (!detail.filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
+        return estimateReport(opened, *detail.filling);
+    }
+    return saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
+}
+
+} // namespace
+
+void addInsideCommand(CLI::App& app, Context& context) {
+    addCommand(app, context,
+               Command<InsideOptions>{"inside", "Fill a closed organ with a lattice of springs, or hollow it",
+                                      declareInside, runInside});
+}
+
+} // namespace esm

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "core/geometry/triangle_mesh.h"
+#include "core/support/fields.h"
+#include "core/support/words.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// How the nodes that fill a body are laid out, and which of them springs join. The spacing of a lattice is
+/// the distance of nearest neighbours; its cube's edge a is 1, 2/√3 or 4/√3 of that.
+enum class LatticeKind {
+    Cubic,       ///< cubes with the diagonals of their faces, all of one constant: isotropic
+    BodyCentred, ///< 8 neighbours of constant c and 6 of 2/3 c: isotropic
+    Diamond,     ///< 4 neighbours and 12 second ones of one constant [R 3.3.1.2]
+    BareDiamond, ///< the source's: 4 neighbours alone [R algorithm 3.3]. Floppy: it resists no shear
+};
+template<>
+inline constexpr auto wordsOf<LatticeKind> =
+    std::array{Word{LatticeKind::Cubic, "cubic"}, Word{LatticeKind::BodyCentred, "body-centred"},
+               Word{LatticeKind::Diamond, "diamond"}, Word{LatticeKind::BareDiamond, "bare-diamond"}};
+
+/// What to fill a body with.
+struct LatticeFilling {
+    LatticeKind kind = LatticeKind::BodyCentred;
+    double spacing = 0; ///< of nearest neighbours, m; above 0
+
+    bool operator==(const LatticeFilling&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<LatticeFilling> =
+    fieldTable(field("kind", &LatticeFilling::kind),
+               field("spacing", &LatticeFilling::spacing, positiveLimits("the lattice's spacing", "m")));
+
+using Tetrahedron = std::array<std::uint32_t, 4>; ///< node indices, in positive order
+
+/// Volume of a tetrahedron, m³; negative where it is turned inside out.
+double volumeOf(const Tetrahedron& tetrahedron, const std::vector<Eigen::Vector3d>& nodes);
+
+/// A face of a lattice's surface, and the node of its tetrahedron that lies within.
+struct OuterFace {
+    Triangle nodes; ///< facing outwards
+    std::uint32_t inner;
+};
+
+/// The faces of tetrahedra that have a neighbour on one side alone, by their nodes' numbers.
+std::vector<OuterFace> outerFaces(const std::vector<Tetrahedron>& tetrahedra);
+std::vector<Triangle> outerTriangles(const std::vector<Tetrahedron>& tetrahedra);
+
+/// What fills a body, beside the nodes and springs that are the network's. Its nodes at the surface carry
+/// what instruments touch; all of them carry what is drawn.
+struct Lattice {
+    LatticeFilling filling;              ///< that was asked for
+    std::vector<Tetrahedron> tetrahedra; ///< over the nodes, face to face
+    std::vector<Triangle> surface;       ///< `outerTriangles()` of them
+    /// Of each spring of the network: its constant over that between nearest neighbours within the lattice.
+    std::vector<double> springShares;
+};
+
+/// The nodes at the surface of a lattice, in order, each once.
+std::vector<std::uint32_t> surfaceNodes(const Lattice& lattice);
+
+/// Every problem of a lattice over nodes and springs. Empty when its tissue can be evaluated.
+std::vector<std::string> validate(const Lattice& lattice, const std::vector<Eigen::Vector3d>& nodes,
+                                  std::size_t springCount);
+
+} // namespace esm

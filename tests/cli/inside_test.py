@@ -1,0 +1,98 @@
+import csv
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+from detail_test import READER, surface
+from esmc import Case, command
+
+
+class InsideTest(Case):
+    def imported(self, *options):
+        self.project = self.file("organ.esm")
+        return self.done("import", self.file("organ.obj", surface()), "-o", self.project, *options)
+
+    def filled(self, *options):
+        return self.done("inside", self.project, "-o", self.project, *options)
+
+    def test_an_organ_is_filled_and_hollow_again(self):
+        hollow = self.imported()
+        solid = self.filled("--fill", "body-centred", "--spacing", 0.01)
+        self.assertEqual((solid["detail"]["lattice"], solid["detail"]["spacing"]), ("body-centred", 0.01))
+        for key in ("triangles", "vertices", "size"):
+            self.assertEqual(solid[key], hollow[key], key)
+        self.assertAlmostEqual(solid["mass"], hollow["mass"], places=12)
+        self.assertTrue(self.done("validate", self.project)["valid"])
+        self.assertEqual(self.done("info", self.project)["detail"], solid["detail"])
+        again = self.filled("--fill", "none")
+        self.assertEqual((again["nodes"], again["springs"], again["detail"]), (hollow["nodes"], hollow["springs"], None))
+
+    def test_import_fills_as_inside_does(self):
+        filled = self.imported("--fill", "cubic", "--spacing", 0.012)
+        self.imported()
+        after = self.filled("--fill", "cubic", "--spacing", 0.012)
+        for key in ("nodes", "springs", "detail", "mass"):
+            self.assertEqual(filled[key], after[key], key)
+
+    def test_what_a_filling_comes_to_is_told_before(self):
+        self.imported()
+        before = self.project.read_bytes()
+        for kind in ("cubic", "body-centred", "diamond"):
+            told = self.done("inside", self.project, "--fill", kind)
+            self.assertEqual(self.project.read_bytes(), before)
+            done = self.done("inside", self.project, "--fill", kind, "-o", self.file("solid.esm"))
+            self.assertAlmostEqual(told["nodes"] / done["nodes"], 1, delta=0.25)
+            self.assertAlmostEqual(done["nodes"] / 3000, 1, delta=0.35)
+            self.assertEqual(told["spacing"], done["detail"]["spacing"])
+
+    def test_a_simulator_gets_the_filled_organ(self):
+        self.imported("--fill", "body-centred", "--spacing", 0.015)
+        package = self.file("organ.glb")
+        self.done("export", self.project, "--to", "glb", "-o", package)
+        self.assertTrue(self.done("validate", package)["valid"])
+        self.assertEqual(self.done("info", package)["detail"], self.done("info", self.project)["detail"])
+        subprocess.run([sys.executable, READER, package, "--project", self.project], check=True, stdout=subprocess.DEVNULL)
+
+    def test_a_poke_dents_it_and_package_and_project_move_alike(self):
+        self.imported("--fill", "body-centred", "--spacing", 0.015)
+        package = self.file("organ.glb")
+        self.done("export", self.project, "--to", "glb", "-o", package)
+        scene = self.file("poke.json", {
+            "duration": 0.2, "record": {"every": 0.1},
+            "tethers": [{"every": 1, "spring_constant": 5, "viscosity": 1}],
+            "instrument": {"shape": "sphere", "radius": 0.015, "path": [[0, 0, 0, 0.08], [0.2, 0, 0, 0.055]]}})
+        ends = []
+        for model in (self.project, package):
+            out, drawn = self.file("nodes.csv"), self.file("drawn.csv")
+            self.done("simulate", model, "--scene", scene, "-o", out, "--surface", drawn)
+            with open(drawn, encoding="utf-8") as stream:
+                rows = list(csv.DictReader(stream))
+            ends.append([[float(row[axis]) for axis in "xyz"] for row in rows if abs(float(row["time"]) - 0.2) < 1e-9])
+        self.assertLess(max(z for x, y, z in ends[0] if max(abs(x), abs(y)) < 0.006), 0.044)
+        for there, here in zip(*ends):
+            self.assertLess(max(abs(a - b) for a, b in zip(there, here)), 1e-5)
+
+    def test_what_cannot_be_filled_is_refused_and_stays_as_it_was(self):
+        self.imported()
+        before = self.project.read_bytes()
+        line = ["inside", self.project, "-o", self.project, "--fill", "body-centred", "--spacing"]
+        self.assertIn("wider than the organ", self.fails(1, *line, 1, naming="organ.esm"))
+        self.assertRegex(self.fails(1, *line, 0.0001, naming="organ.esm"), r"million nodes and .* GB of memory")
+        self.assertEqual(self.project.read_bytes(), before)
+        lines = surface().splitlines()
+        opened = self.file("open.obj", "\n".join(lines[:-1]) + "\n")
+        self.assertIn("open", self.fails(1, "import", opened, "--fill", "cubic", "-o", self.file("out.esm"), naming="open.obj"))
+        self.assertFalse(self.file("out.esm").exists())
+
+    def test_options_that_contradict_are_refused(self):
+        mesh, out = self.file("organ.obj", surface()), self.file("out.esm")
+        self.fails(2, "import", mesh, "-o", out, "--fill", "cubic", "--detail", 200)
+        self.fails(2, "import", mesh, "-o", out, "--spacing", 0.01)
+        self.imported()
+        self.fails(2, "inside", self.project, "-o", out)
+        self.fails(2, "inside", self.project, "--fill", "none")
+
+
+if __name__ == "__main__":
+    unittest.main()

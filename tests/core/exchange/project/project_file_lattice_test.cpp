@@ -1,0 +1,58 @@
+#include "tests/core/exchange/project/project_file_fixture.h"
+
+#include "core/support/byte_order.h"
+#include "tests/support/same_project.h"
+
+#include <gmock/gmock.h>
+
+namespace esm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using testing::HasSubstr;
+
+TEST_F(ProjectFile, KeepsWhatFillsTheOrgan) {
+    const Project project = filledProject();
+    saveProject(project, m_file);
+    expectSameProject(project, loadProject(m_file));
+}
+
+TEST_F(ProjectFile, ALatticeOfTetrahedraThatAreNoneIsRefused) {
+    const Project project = filledProject();
+    const auto refusal = [&](std::size_t place, std::uint32_t number) {
+        saveChangedOf(project, project_layout::latticeTetrahedra, [&](auto&, ZipEntry& entry) {
+            Bytes bytes;
+            appendLittleEndian(bytes, number);
+            std::copy(bytes.begin(), bytes.end(),
+                      entry.content.begin() + static_cast<std::ptrdiff_t>(4 * place));
+        });
+        return loadingError();
+    };
+    const Tetrahedron& first = project.network->lattice->tetrahedra[0];
+    EXPECT_THAT(refusal(1, 1U << 20), HasSubstr("lattice/tetrahedra.u32: number 1 is 1048576"));
+    EXPECT_THAT(refusal(1, first[0]), HasSubstr("lattice tetrahedron that is flat"));
+}
+
+TEST_F(ProjectFile, ALatticeWithoutItsPartsIsRefused) {
+    const auto refusal = [&](const char* pointer, const auto& change) {
+        changeManifestOf(filledProject(), pointer, change);
+        return loadingError();
+    };
+    EXPECT_THAT(refusal("/arrays", [](Json& arrays) { arrays.erase(project_layout::latticeSpringShares); }),
+                HasSubstr("spring-shares.f64"));
+    EXPECT_THAT(refusal("/arrays", [](Json& arrays) { arrays[project_layout::latticeSpringShares] = 1; }),
+                HasSubstr("spring-shares.f64"));
+    EXPECT_THAT(refusal("/lattice/kind", [](Json& kind) { kind = "foam"; }), HasSubstr("lattice.kind"));
+    EXPECT_THAT(refusal("/lattice/spacing", [](Json& spacing) { spacing = -1; }),
+                HasSubstr("the lattice's spacing"));
+    EXPECT_THAT(refusal("/arrays", [](Json& arrays) { arrays.erase(project_layout::bindingNodes); }),
+                HasSubstr("nothing binds the drawn surface"));
+}
+
+TEST_F(ProjectFile, WithALatticeInAnOlderVersionOpensWithAWarning) {
+    changeManifestOf(filledProject(), "/version", [](Json& version) { version = 11; });
+    EXPECT_THAT(openProject(m_file).warnings, testing::Contains(HasSubstr("version should be 12")));
+}
+
+} // namespace
+} // namespace esm
