@@ -34,4 +34,7 @@ inline constexpr auto fieldsOf<Detail> = fieldTable(field("kind", &Detail::kind)
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);
 
+/// About so many nodes, in the surface or throughout the body, as the network has them.
+Detail detailOfNodes(const SpringNetwork& network, std::size_t nodes);
+
 } // namespace esm

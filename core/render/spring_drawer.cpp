@@ -41,7 +41,7 @@ double coverOver(const RenderScene& scene) {
 }
 
 bool movesRigidly(const RenderScene& scene) {
-    return scene.network->binding && scene.network->binding->surface.empty();
+    return scene.network->binding && isOnOneLine(*scene.network->binding);
 }
 
 } // namespace

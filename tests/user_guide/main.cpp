@@ -55,6 +55,17 @@ void showBeginning(const std::filesystem::path& folder, const std::filesystem::p
     guided.takeDialog("import", [&] { guided.window().openFiles({scratch / "liver.obj"}); });
 }
 
+void showInside(const std::filesystem::path& folder) {
+    GuidedWindow guided(esm::makeSample("liver"), folder);
+    guided.window().preview().setPlaying(false);
+    guided.takeDialog(
+        "inside", [&] { guided.window().windowActions().chooseInside->trigger(); },
+        [](QDialog& dialog) {
+            auto* fill = dialog.findChild<QPushButton*>(QStringLiteral("insideAccept"));
+            waitFor("the lattice", [&] { return fill->isEnabled(); });
+        });
+}
+
 void showTissue(const std::filesystem::path& folder) {
     GuidedWindow guided(esm::makeSample("liver"), folder);
     guided.window().preview().setPlaying(false);
@@ -120,6 +131,7 @@ int main(int argc, char** argv) {
     esm::applyTheme(application, esm::Theme::Dark);
     const std::filesystem::path folder = argv[1];
     showBeginning(folder, scratch.folder());
+    showInside(folder);
     showTissue(folder);
     showColours(folder);
     showMeasuring(folder);

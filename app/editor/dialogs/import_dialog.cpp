@@ -1,16 +1,15 @@
 #include "app/editor/dialogs/import_dialog.h"
 
 #include "app/editor/dialogs/extent_text.h"
+#include "app/editor/dialogs/import_report.h"
 #include "core/authoring/import_unit.h"
 #include "core/model/motion_model.h"
-#include "core/project/project.h"
-#include "core/support/joined.h"
+#include "core/solid/filled_body.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/refused_numbers.h"
 
 #include <QDialogButtonBox>
-#include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -37,33 +36,6 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, con
     choice->setAccessibleName(withoutMnemonic(caption));
     choice->setToolTip(toolTip);
     form->addRow(label, choice);
-}
-
-/// What an open surface means for the organ that is made of it; empty for a closed one.
-QString massOfWall(const RepairReport& report) {
-    if (report.isClosed()) return {};
-    const QString wall = QObject::tr("%1 mm").arg(decimalText(wallThickness * 1000, 0));
-    return report.boundaryEdges > 0
-               ? QObject::tr("An open surface weighs as a wall %1 thick, not as a filled organ.").arg(wall)
-               : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);
-}
-
-QStringList reportLines(const ImportedSurface& surface) {
-    QStringList lines;
-    for (const auto& warning : surface.report.warnings)
-        lines << QString::fromStdString(warning);
-    const QString wall = massOfWall(surface.report);
-    if (!wall.isEmpty()) lines << wall;
-    if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");
-    if (surface.mesh->textureCoordinates.empty()) return lines;
-    if (surface.coordinateProblems.empty())
-        lines << QObject::tr(
-            "It has texture coordinates (UVs) of its own: Layout, under Texture, can lay photos "
-            "by them.");
-    else
-        lines << QObject::tr("It has texture coordinates (UVs), by which no photo can be laid: %1")
-                     .arg(QString::fromStdString(joined(surface.coordinateProblems, "; ")));
-    return lines;
 }
 
 QString trianglesText(std::size_t count) {
@@ -106,7 +78,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
       m_nodes(new NumberField(nodesFormat(m_found->mesh->vertices.size()), this)),
       m_fewerNodes(static_cast<double>(std::min(suggestedNodes, m_found->mesh->vertices.size()))),
       m_size(new QLabel(this)), m_doubt(new QLabel(this)), m_suggestion(quietLabel({}, this)),
-      m_report(new QPlainTextEdit(this)) {
+      m_report(new QPlainTextEdit(this)), m_accept(new QPushButton(tr("&Import"), this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
     m_view->setAccessibleName(tr("Preview of the surface"));
@@ -180,12 +152,10 @@ void ImportDialog::addParts() {
 
 void ImportDialog::addButtons(QVBoxLayout* column) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    auto* accept = new QPushButton(tr("&Import"), this);
-    accept->setProperty("primary", true);
-    accept->setToolTip(tr("Make an organ of the surface as it is shown"));
-    buttons->addButton(accept, QDialogButtonBox::AcceptRole);
+    m_accept->setProperty("primary", true);
+    buttons->addButton(m_accept, QDialogButtonBox::AcceptRole);
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Keep the organ that there is"));
-    accept->setDefault(true);
+    m_accept->setDefault(true);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -248,7 +218,8 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
 
 void ImportDialog::addDetail(QFormLayout* form) {
     m_detail->setObjectName(QStringLiteral("importDetail"));
-    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
+    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece"),
+                        tr("a solid body, filled with nodes")});
     addChoice(form, tr("&Simulate"), m_detail, tr("What moves under the drawn surface"));
     m_nodes->setAccessibleName(tr("Nodes"));
     QLabel* caption = quietLabel(tr("&Nodes"), this);
@@ -262,16 +233,26 @@ void ImportDialog::addDetail(QFormLayout* form) {
     connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) { m_fewerNodes = nodes; });
 }
 
+/// What is open has no inside.
+void ImportDialog::showWhetherFillable() {
+    enable(m_accept, detailKind() != Detail::Kind::Filled || m_shown->report.isClosed(),
+           tr("Make an organ of the surface as it is shown"),
+           tr("An open surface cannot be filled: close it, or simulate every vertex"));
+}
+
 void ImportDialog::showDetail() {
     const Detail::Kind kind = detailKind();
+    showWhetherFillable();
+    showSuggestion();
     enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
            tr("Choose fewer nodes to say how many"));
     // A number that was refused stays to be mended.
     if (m_nodes->isEnabled() && !m_nodes->refusal().isEmpty()) return;
     const double all = static_cast<double>(m_shown->mesh->vertices.size());
-    m_nodes->setValue(kind == Detail::Kind::Nodes   ? std::min(m_fewerNodes, all)
-                      : kind == Detail::Kind::Rigid ? double(motionModelNodes)
-                                                    : all);
+    m_nodes->setValue(kind == Detail::Kind::Nodes    ? std::min(m_fewerNodes, all)
+                      : kind == Detail::Kind::Rigid  ? double(motionModelNodes)
+                      : kind == Detail::Kind::Filled ? usualLatticeNodes
+                                                     : all);
 }
 
 void ImportDialog::addReport(QVBoxLayout* column) {
@@ -337,6 +318,12 @@ void ImportDialog::showPreview(const RenderScene& preview) {
 /// How many nodes are worth to be chosen, and why.
 void ImportDialog::showSuggestion() {
     const std::size_t vertices = m_shown->mesh->vertices.size();
+    if (detailKind() == Detail::Kind::Filled)
+        return m_suggestion->setText(
+            m_shown->report.isClosed()
+                ? tr("About %1 nodes fill the body. Model → Inside… then shows them, and chooses others.")
+                      .arg(countText(static_cast<std::size_t>(usualLatticeNodes)))
+                : tr("The surface is open and cannot be filled: close slits and fill holes below."));
     m_suggestion->setText(
         vertices <= suggestedNodes
             ? tr("Recommended: every vertex. So few usually move in real time.")
@@ -368,7 +355,6 @@ void ImportDialog::showKept() {
     m_size->setText(sizeText(m_shown->extent));
     m_doubt->setText(doubtfulExtent(m_shown->extent.maxCoeff(), choice().unit));
     showDetail();
-    showSuggestion();
 }
 
 ImportChoice ImportDialog::choice() const {

@@ -13,6 +13,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace esm {
@@ -55,6 +56,7 @@ private:
     void addParts();
     void addDetail(QFormLayout* form);
     void showDetail();
+    void showWhetherFillable();
     Detail::Kind detailKind() const { return static_cast<Detail::Kind>(m_detail->currentIndex()); }
     void addReport(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
@@ -79,6 +81,7 @@ private:
     double m_fewerNodes; ///< as last asked for
     QLabel *m_size, *m_doubt, *m_suggestion;
     QPlainTextEdit* m_report;
+    QPushButton* m_accept;
 };
 
 } // namespace esm

@@ -122,6 +122,7 @@ void ActionMaker::makeModelActions() {
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
     a.chooseDetail = make(tr("&Nodes to simulate…"), {},
                           tr("Simulate fewer nodes under the full surface, or every vertex"));
+    a.chooseInside = make(tr("&Inside…"), {}, tr("Fill the organ with nodes and springs, or make it hollow"));
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
     a.addPaint = make(tr("Add pain&t layer"), QKeySequence("Ctrl+L"),

@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/inside_dialog.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/split_question.h"
 #include "app/editor/edits/photo_edits.h"
@@ -32,6 +33,7 @@ void EditController::connectActions(const Actions& actions) {
     connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
     connect(actions.chooseDetail, &QAction::triggered, this, &EditController::chooseDetail);
+    connect(actions.chooseInside, &QAction::triggered, this, &EditController::chooseInside);
     connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
     const auto update = [this, actions] { enable(actions); };
     connect(&m_document, &Document::changed, this, update);
@@ -62,6 +64,8 @@ void EditController::enable(const Actions& actions) {
         allow(ofPhoto, texture && layer && layer->photo, noPhoto);
     allow(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
           tr("This model has no surface that fewer nodes could carry"));
+    allow(actions.chooseInside, !project.mesh->triangles.empty(),
+          tr("This model has no surface that could be filled"));
     const bool splits = !project.scene.splits.empty();
     allow(actions.playScene, hasLoads(project.scene) && !splits,
           splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
@@ -137,22 +141,34 @@ std::optional<std::size_t> EditController::askForNodes() {
     return accepted ? std::optional(static_cast<std::size_t>(nodes)) : std::nullopt;
 }
 
+void EditController::chooseInside() {
+    InsideDialog dialog(m_document.project(), &m_window);
+    const int answer = ask(m_window, [&] { return dialog.exec(); });
+    runLongWork(&m_window, tr("Inside of the organ"), [&](const Progress&) { dialog.stopWork(); });
+    if (answer == QDialog::Accepted)
+        simulate(dialog.detail(), tr("Making the inside"), tr("Choose the inside"));
+}
+
+/// Of a solid organ by its inside's spacing.
 void EditController::chooseDetail() {
+    if (m_document.project().network->lattice) return chooseInside();
     const std::size_t now = m_document.project().network->restPositions.size();
     if (const auto nodes = askForNodes(); nodes && *nodes != now) simulateNodes(*nodes);
 }
 
 void EditController::simulateNodes(std::size_t nodes) {
+    simulate(detailOfNodes(*m_document.project().network, nodes), tr("Binding the surface to its nodes"),
+             tr("Choose simulated nodes"));
+}
+
+void EditController::simulate(const Detail& detail, const QString& work, const QString& edit) {
     if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
-    attempt(&m_window, tr("The surface cannot be simulated so"), [&] {
-        const Detail detail{Detail::Kind::Nodes, nodes};
+    attempt(&m_window, tr("The organ cannot be simulated so"), [&] {
         const Project project = m_document.project();
         const Project changed = computeLong(
-            &m_window, tr("Binding the surface to its nodes"),
-            [&](const Progress& progress) { return withDetail(project, detail, progress); },
+            &m_window, work, [&](const Progress& progress) { return withDetail(project, detail, progress); },
             Cancelling::Offered);
-        m_document.edit(tr("Choose simulated nodes"),
-                        [&](Project& edited) { takeSimulated(edited, changed); });
+        m_document.edit(edit, [&](Project& edited) { takeSimulated(edited, changed); });
     });
 }
 

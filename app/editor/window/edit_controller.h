@@ -36,6 +36,8 @@ private:
     void fixRegion();
     void freeNodes();
     void chooseDetail();
+    void chooseInside();
+    void simulate(const Detail& detail, const QString& work, const QString& edit);
     std::optional<std::size_t> askForNodes();
     void enable(const Actions& actions);
 

@@ -5,6 +5,7 @@
 #include "app/editor/dialogs/import_dialog.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
+#include "core/solid/filled_body.h"
 
 namespace esm {
 
@@ -24,13 +25,22 @@ ReadSurface readSurface(const std::filesystem::path& file, const Progress& progr
     return read;
 }
 
+/// Of a solid organ with the usual lattice; others are chosen once it stands in the window.
+Detail detailFor(const TriangleMesh& mesh, Detail detail) {
+    if (detail.kind != Detail::Kind::Filled) return detail;
+    const LatticeKind usual = LatticeFilling().kind;
+    detail.filling = LatticeFilling{usual, spacingFor(mesh, usual, usualLatticeNodes)};
+    return detail;
+}
+
 Project organOf(const PolygonSoup& soup, const std::string& name, const ImportChoice& choice,
                 const Progress& progress) {
     ProgressParts parts(progress);
     PolygonSoup metres = soup;
     convertToMetres(metres, choice.unit, choice.up);
     RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
-    return makeProject(name, std::move(mesh), std::nullopt, choice.detail, parts.rest());
+    const Detail detail = detailFor(mesh.mesh, choice.detail);
+    return makeProject(name, std::move(mesh), std::nullopt, detail, parts.rest());
 }
 
 } // namespace

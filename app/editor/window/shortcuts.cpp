@@ -119,6 +119,7 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
                                           {"fixRegion", a.fixRegion},
                                           {"freeNodes", a.freeNodes},
                                           {"chooseDetail", a.chooseDetail},
+                                          {"chooseInside", a.chooseInside},
                                           {"addPhoto", a.addPhoto},
                                           {"addPaint", a.addPaint},
                                           {"fromCamera", a.fromCamera}});

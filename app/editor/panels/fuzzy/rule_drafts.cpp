@@ -3,6 +3,7 @@
 #include "core/fuzzy/renamed_words.h"
 
 #include <algorithm>
+#include <QStringList>
 
 namespace esm {
 

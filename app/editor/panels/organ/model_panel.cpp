@@ -23,6 +23,7 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
 QString carryingText(Detail::Kind kind) {
     if (kind == Detail::Kind::Nodes)
         return QObject::tr("Fewer nodes are simulated and carry the full surface");
+    if (kind == Detail::Kind::Filled) return QObject::tr("A lattice fills the body and carries the surface");
     if (kind == Detail::Kind::Rigid) return QObject::tr("A few springs move the surface as one stiff piece");
     return QObject::tr("Every vertex is a node");
 }

@@ -2,9 +2,12 @@
 #include "app/editor/workers/preview_loads.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/solid_surfaces.h"
+#include "widgets/inputs/number_text.h"
 
 #include <QInputDialog>
 #include <QLabel>
+#include <QPushButton>
 #include <QUndoStack>
 
 using namespace esm;
@@ -106,4 +109,31 @@ TEST_F(SimulatedNodesTest, AreOfferedOnlyWhereThereIsASurface) {
     window->document().replace(makeSample("uterus"), std::nullopt);
     EXPECT_FALSE(window->windowActions().chooseDetail->isEnabled());
     EXPECT_TRUE(window->windowActions().chooseDetail->toolTip().contains("no surface"));
+}
+
+TEST_F(SimulatedNodesTest, FillABodyAndCanBeTakenBack) {
+    TriangleMesh mesh = test::ball(0.04, {0, 0, 0});
+    open(makeProject("ball", {std::move(mesh), {}}));
+    const std::size_t hollow = project().network->restPositions.size();
+    script.expectNamed("insideDialog", [](QDialog* dialog) {
+        auto* fill = dialog->findChild<QPushButton*>("insideAccept");
+        ESM_EVENTUALLY(fill->isEnabled());
+        fill->click();
+    });
+    window->windowActions().chooseInside->trigger();
+    ASSERT_TRUE(script.isDone());
+    ASSERT_TRUE(project().network->lattice);
+    const std::size_t filled = project().network->restPositions.size();
+    EXPECT_EQ(child<QLabel>("nodeCount")->text(), countText(filled));
+    ESM_EVENTUALLY(window->view().scene().nodePositions.size() == filled);
+    EXPECT_TRUE(validate(project()).empty());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().network->restPositions.size(), hollow);
+    EXPECT_FALSE(project().network->lattice);
+}
+
+TEST_F(SimulatedNodesTest, OfferNoInsideWhereThereIsNoSurface) {
+    EXPECT_TRUE(window->windowActions().chooseInside->isEnabled());
+    window->document().replace(makeSample("uterus"), std::nullopt);
+    EXPECT_FALSE(window->windowActions().chooseInside->isEnabled());
 }

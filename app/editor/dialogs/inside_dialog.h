@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/editor/workers/inside_finder.h"
+#include "core/model/detail.h"
+#include "core/project/project.h"
+#include "widgets/inputs/number_field.h"
+#include "widgets/view/organ_view.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace esm {
+
+/// Asks what fills an organ, nothing or a lattice of springs, and shows it cut open, with what it costs.
+/// Another choice is worked out beside the window.
+class InsideDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit InsideDialog(const Project& project, QWidget* parent = nullptr);
+
+    /// Every vertex a node, or filled.
+    Detail detail() const;
+    /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered.
+    void stopWork() { m_finder.stop(); }
+    /// Not while a number in it is refused.
+    void accept() override;
+    void done(int result) override;
+
+private:
+    void addQuestions(QVBoxLayout* column);
+    void addButtons(QVBoxLayout* column);
+    std::optional<LatticeKind> kind() const;
+    void chooseKind();
+    void lookAgain();
+    void takeAnswer();
+    void showFound(const FoundInside& found, bool isDone);
+    void showHollow();
+    void showScene(std::shared_ptr<const SpringNetwork> network);
+
+    const Project m_project;
+    InsideFinder m_finder;
+    std::optional<LatticeFilling> m_asked; ///< last; none: hollow
+    bool m_isAnswered = false;             ///< by the user
+    OrganView* m_view;
+    QComboBox* m_kind;
+    NumberField* m_spacing;
+    QLabel *m_about, *m_counts, *m_firmness, *m_refusal;
+    QPushButton* m_accept = nullptr;
+};
+
+} // namespace esm

@@ -1,0 +1,33 @@
+#include "app/editor/workers/inside_finder.h"
+
+#include "core/project/simulated_network.h"
+
+namespace esm {
+
+namespace {
+
+/// A number that is stepped to comes to rest before so much is computed by it.
+constexpr std::chrono::milliseconds rest{120};
+
+using Worker = LatestWorker<LatticeFilling, InsideFinder::Answer>;
+
+InsideFinder::Answer insideOf(const TriangleMesh& mesh, const Worker::Task& task) {
+    FoundInside found{task.question, {}, nullptr};
+    if (found.filling.spacing == 0)
+        found.filling.spacing = spacingFor(mesh, found.filling.kind, usualLatticeNodes);
+    found.estimate = estimateLattice(mesh, found.filling);
+    task.show(std::make_shared<const FoundInside>(found));
+    found.network = std::make_shared<const SpringNetwork>(
+        networkOf(mesh, {Detail::Kind::Filled, 0, found.filling}, task.progress()));
+    return std::make_shared<const FoundInside>(std::move(found));
+}
+
+} // namespace
+
+InsideFinder::InsideFinder(std::shared_ptr<const TriangleMesh> mesh, QObject* parent)
+    : QObject(parent),
+      m_worker(std::make_unique<Worker>(
+          [mesh = std::move(mesh)](const Worker::Task& task) { return insideOf(*mesh, task); },
+          [this] { emit answered(); }, WorkerHabits{0, rest})) {}
+
+} // namespace esm

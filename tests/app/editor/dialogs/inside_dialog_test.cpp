@@ -1,0 +1,97 @@
+#include "app/editor/dialogs/inside_dialog.h"
+
+#include "core/project/detail_change.h"
+#include "tests/support/eventually.h"
+#include "tests/support/solid_surfaces.h"
+
+#include <gtest/gtest.h>
+#include <QTest>
+
+using namespace esm;
+
+namespace {
+
+Project ball(bool isOpen = false) {
+    TriangleMesh mesh = test::ball(0.04, {0, 0, 0});
+    if (isOpen) mesh.triangles.pop_back();
+    return makeProject("ball", {std::move(mesh), {}});
+}
+
+struct ShownInside {
+    explicit ShownInside(const Project& project) : dialog(project) { dialog.show(); }
+
+    template<typename Widget> Widget* child(const char* name) const {
+        return dialog.findChild<Widget*>(name);
+    }
+    QString text(const char* label) const { return child<QLabel>(label)->text(); }
+    bool mayFill() const { return child<QPushButton>("insideAccept")->isEnabled(); }
+    const RenderScene& scene() const { return dialog.findChild<OrganView*>()->scene(); }
+    void choose(const QString& kind) const {
+        auto* box = child<QComboBox>("insideKind");
+        const int place = box->findText(kind);
+        ASSERT_GE(place, 0) << kind.toStdString();
+        box->setCurrentIndex(place);
+    }
+    void type(const QString& spacing) const {
+        auto* field = child<NumberField>("insideSpacing");
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, spacing);
+        field->takeTyped();
+    }
+
+    InsideDialog dialog;
+};
+
+} // namespace
+
+TEST(InsideDialog, FillsAHollowOrganAsIsUsualAndShowsIt) {
+    const ShownInside shown(ball());
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_TRUE(shown.text("insideCounts").contains("nodes")) << shown.text("insideCounts").toStdString();
+    EXPECT_TRUE(shown.text("insideFirmness").contains("kPa"));
+    ASSERT_TRUE(shown.scene().network->lattice);
+    const auto nodes = static_cast<double>(shown.scene().network->restPositions.size());
+    EXPECT_NEAR(nodes / usualLatticeNodes, 1, 0.3);
+    EXPECT_TRUE(shown.scene().cut);
+    const Detail detail = shown.dialog.detail();
+    EXPECT_EQ(detail.kind, Detail::Kind::Filled);
+    EXPECT_EQ(detail.filling->kind, LatticeKind::BodyCentred);
+    EXPECT_EQ(shown.scene().network->lattice->filling, *detail.filling);
+}
+
+TEST(InsideDialog, FollowsKindAndSpacing) {
+    const ShownInside shown(ball());
+    shown.choose("solid, cubic lattice");
+    shown.type("12");
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, (LatticeFilling{LatticeKind::Cubic, 0.012}));
+    EXPECT_EQ(shown.scene().network->lattice->filling, (LatticeFilling{LatticeKind::Cubic, 0.012}));
+    shown.choose("hollow");
+    EXPECT_TRUE(shown.mayFill());
+    EXPECT_FALSE(shown.child<NumberField>("insideSpacing")->isEnabled());
+    EXPECT_EQ(shown.dialog.detail(), Detail());
+    EXPECT_FALSE(shown.scene().network->lattice);
+}
+
+TEST(InsideDialog, OpensWithWhatFillsTheOrgan) {
+    const Detail filled{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Diamond, 0.011}};
+    const ShownInside shown(withDetail(ball(), filled));
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, filled.filling);
+}
+
+TEST(InsideDialog, SaysWhyAnOrganCannotBeFilled) {
+    const ShownInside open(ball(true));
+    ESM_EVENTUALLY(!open.text("insideRefusal").isEmpty());
+    EXPECT_TRUE(open.text("insideRefusal").contains("open")) << open.text("insideRefusal").toStdString();
+    EXPECT_FALSE(open.mayFill());
+    const ShownInside closed(ball());
+    ESM_EVENTUALLY(closed.mayFill());
+    closed.type("0.05");
+    ESM_EVENTUALLY(closed.text("insideRefusal").contains("million nodes"));
+    EXPECT_FALSE(closed.mayFill());
+    closed.type("10");
+    ESM_EVENTUALLY(closed.mayFill());
+    EXPECT_TRUE(closed.text("insideRefusal").isEmpty());
+}
