@@ -159,7 +159,7 @@ std::vector<DirectedEnergy> nodeEnergies(const SurfaceNet& net, const std::vecto
     return result;
 }
 
-/// Each pass is a mean with the neighbours: eight make a patch of some forty nodes, 24 one of 120.
+/// Each pass is a mean with the neighbours: 16 make a patch of some hundred nodes, 40 one of 250.
 std::vector<DirectedEnergy> patchEnergies(const SurfaceNet& net, std::vector<DirectedEnergy> energies,
                                           int passes) {
     std::vector<double> shares(energies.size(), 1);
@@ -208,10 +208,10 @@ void correct(std::vector<double>& factors, const SurfaceNet& net, const VirtualP
 // part ½ and the fourfold one ⅛. Where springs run in all directions evenly, an excess that goes through
 // their constants therefore shows as 1, 2/3 and 1/6 of itself. These are undone, the last by half only: it is
 // small, and taken sixfold would be noise.
-constexpr VirtualPull formPull{4, 0.25, 8, 1, 1.5, 3};
+constexpr VirtualPull formPull{4, 0.25, 16, 1, 1.5, 3};
 // Where few directions are to be had, the form stays uneven; the level need not. It is measured nearer to
 // balance, over more nodes, as nodes of uneven nets shift together over some distance.
-constexpr VirtualPull levelPull{10, 0.08, 24, 1, 0, 0};
+constexpr VirtualPull levelPull{10, 0.08, 40, 1, 0, 0};
 
 } // namespace
 
@@ -224,7 +224,7 @@ std::vector<double> netFactors(const std::vector<Eigen::Vector3d>& nodes, const 
                                const std::vector<Triangle>& triangles) {
     const SurfaceNet net = surfaceNet(nodes, springs, triangles);
     std::vector<double> factors = areaRule(net);
-    for (const VirtualPull& pull : {formPull, formPull, formPull, formPull, levelPull, levelPull})
+    for (const VirtualPull& pull : {formPull, formPull, formPull, formPull, levelPull})
         correct(factors, net, pull);
     std::vector<double> result(springs.size(), 1);
     for (std::size_t i = 0; i < factors.size(); ++i)

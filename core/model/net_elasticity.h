@@ -16,7 +16,9 @@ namespace esm {
 /// Per spring, from 0.05 to 10; 1 for a spring that runs along no edge of the triangles. Springs are taken at
 /// the distance of their nodes. Size, order and numbering change nothing beyond rounding. How near it comes
 /// to the sheet, and on which meshes it cannot: docs/net-elasticity.md.
-/// Preconditions: springs and triangles name nodes that there are; no two springs join the same nodes.
+/// Preconditions: springs and triangles name nodes that there are; no two springs join the same nodes;
+/// neighbouring triangles face the same way, as repair() makes them (where they do not, a patch is measured
+/// wrongly).
 std::vector<double> netFactors(const std::vector<Eigen::Vector3d>& nodes, const std::vector<Spring>& springs,
                                const std::vector<Triangle>& triangles);
 
