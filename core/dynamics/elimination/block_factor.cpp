@@ -1,0 +1,197 @@
+#include "core/dynamics/elimination/block_factor.h"
+
+#include "core/dynamics/elimination/panel_kernel.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+/// What blocks take from the rows below them, until the next block of these rows takes it over.
+class Elimination {
+public:
+    Elimination(const FactorPlan& plan, double* values)
+        : m_plan(plan), m_values(values), m_updates(plan.blocks.size()) {}
+
+    bool eliminate(std::size_t number);
+
+private:
+    void takeOver(const FactorBlock& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
+                  MatrixXd& own) const;
+
+    const FactorPlan& m_plan;
+    double* m_values;
+    std::vector<MatrixXd> m_updates; ///< by block, between its rows below: lower halves
+};
+
+/// Adds a child's update to the panel and to the block's own update, and forgets it.
+void Elimination::takeOver(const FactorBlock& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
+                           MatrixXd& own) const {
+    const auto width = panel.cols();
+    for (Eigen::Index j = 0; j < update.cols(); ++j) {
+        const Eigen::Index column = child.placesInParent[static_cast<std::size_t>(j)];
+        double* const into = column < width ? &panel(0, column) : &own(0, column - width) - width;
+        for (Eigen::Index i = j; i < update.rows(); ++i)
+            into[child.placesInParent[static_cast<std::size_t>(i)]] += update(i, j);
+    }
+    update.resize(0, 0);
+}
+
+bool Elimination::eliminate(std::size_t number) {
+    const FactorBlock& block = m_plan.blocks[number];
+    const auto width = static_cast<Eigen::Index>(block.width());
+    const auto rest = static_cast<Eigen::Index>(block.below.size());
+    Eigen::Map<MatrixXd> panel(m_values + block.values, width + rest, width);
+    MatrixXd& update = m_updates[number];
+    update.setZero(rest, rest);
+    for (const int child : block.children)
+        takeOver(m_plan.blocks[static_cast<std::size_t>(child)], m_updates[static_cast<std::size_t>(child)],
+                 panel, update);
+    Eigen::Ref<MatrixXd> triangle = panel.topRows(width);
+    if (const Eigen::LLT<Eigen::Ref<MatrixXd>> inPlace(triangle); inPlace.info() != Eigen::Success)
+        return false;
+    auto below = panel.bottomRows(rest);
+    triangle.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+    update.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.0);
+    return true;
+}
+
+const kernel::PanelFunctions& panelFunctions() {
+    static const kernel::PanelFunctions& functions =
+        __builtin_cpu_supports("avx2") ? kernel::v3::panelFunctions : kernel::v2::panelFunctions;
+    return functions;
+}
+
+/// The rows of one block at a time out of vectors in the factor's order, x, y and z apart.
+class BlockSides {
+public:
+    explicit BlockSides(std::size_t mostRows) : m_values(3 * mostRows), m_stride(mostRows) {}
+
+    kernel::PanelSides sides() { return {{at(0, 0), at(1, 0), at(2, 0)}}; }
+
+    void take(const FactorBlock& block, const std::vector<Vector3d>& vectors) {
+        forEachRow(block, [&](std::size_t place, std::size_t row) {
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                *at(axis, place) = vectors[row][static_cast<Eigen::Index>(axis)];
+        });
+    }
+    /// @param count of the block's rows, from the first one on
+    void give(const FactorBlock& block, std::size_t count, std::vector<Vector3d>& vectors) {
+        forEachRow(block, [&](std::size_t place, std::size_t row) {
+            for (std::size_t axis = 0; place < count && axis < 3; ++axis)
+                vectors[row][static_cast<Eigen::Index>(axis)] = *at(axis, place);
+        });
+    }
+
+private:
+    double* at(std::size_t axis, std::size_t place) { return m_values.data() + axis * m_stride + place; }
+
+    template<class Visit> static void forEachRow(const FactorBlock& block, const Visit& visit) {
+        for (std::size_t place = 0; place < block.width(); ++place)
+            visit(place, static_cast<std::size_t>(block.begin) + place);
+        for (std::size_t i = 0; i < block.below.size(); ++i)
+            visit(block.width() + i, static_cast<std::size_t>(block.below[i]));
+    }
+
+    std::vector<double> m_values;
+    std::size_t m_stride;
+};
+
+kernel::Panel panelOf(const FactorBlock& block, const LargeVector<double>& values) {
+    return {values.data() + block.values, block.width(), block.height()};
+}
+
+} // namespace
+
+// The multifrontal method (Duff and Reid 1983): each block's panel is factorised as a dense matrix, and what
+// it takes from the rows below it is a dense matrix as well, which the next block of these rows takes over.
+// Nearly all work is then products of dense matrices, which keep a processor busy: some ten times as fast as
+// column by column.
+std::optional<BlockFactor> BlockFactor::of(const Eigen::SparseMatrix<double>& lower,
+                                           std::shared_ptr<const FactorPlan> plan) {
+    BlockFactor factor(std::move(plan));
+    const std::vector<std::size_t>& targets = factor.m_plan->targets;
+    for (std::size_t entry = 0; entry < targets.size(); ++entry)
+        factor.m_values[targets[entry]] = lower.valuePtr()[entry];
+    Elimination elimination(*factor.m_plan, factor.m_values.data());
+    for (std::size_t number = 0; number < factor.m_plan->blocks.size(); ++number)
+        if (!elimination.eliminate(number)) return std::nullopt;
+    return factor;
+}
+
+void BlockFactor::solveLower(std::vector<Vector3d>& vectors) const {
+    BlockSides rows(m_plan->mostRows);
+    for (const FactorBlock& block : m_plan->blocks) {
+        rows.take(block, vectors);
+        panelFunctions().solveLower(panelOf(block, m_values), rows.sides());
+        rows.give(block, block.height(), vectors);
+    }
+}
+
+void BlockFactor::solveUpper(std::vector<Vector3d>& vectors) const {
+    BlockSides rows(m_plan->mostRows);
+    for (auto block = m_plan->blocks.rbegin(); block != m_plan->blocks.rend(); ++block) {
+        rows.take(*block, vectors);
+        panelFunctions().solveUpper(panelOf(*block, m_values), rows.sides());
+        rows.give(*block, block->width(), vectors);
+    }
+}
+
+std::vector<Vector3d> BlockFactor::multiplyUpper(const std::vector<Vector3d>& vectors) const {
+    std::vector<Vector3d> products(vectors.size(), Vector3d::Zero());
+    for (const FactorBlock& block : m_plan->blocks) {
+        const double* column = m_values.data() + block.values;
+        for (std::size_t c = 0; c < block.width(); ++c, column += block.height()) {
+            Vector3d& product = products[static_cast<std::size_t>(block.begin) + c];
+            for (std::size_t r = c; r < block.width(); ++r)
+                product += column[r] * vectors[static_cast<std::size_t>(block.begin) + r];
+            for (std::size_t i = 0; i < block.below.size(); ++i)
+                product += column[block.width() + i] * vectors[static_cast<std::size_t>(block.below[i])];
+        }
+    }
+    return products;
+}
+
+// Solves L·x = e for one row's unit vector. Only the rows on the way from that row to the root of the
+// elimination tree come out other than zero (Davis 2006), so that the way is walked first and only its rows
+// are computed. It leads through the row's block and on to the first row below it. All rows below a block
+// are on the way as well, so that one pass over the rest of the way meets them all.
+HalfColumn BlockFactor::halfColumn(int row) const {
+    const std::vector<FactorBlock>& blocks = m_plan->blocks;
+    HalfColumn result;
+    std::vector<const FactorBlock*> way;
+    for (int next = row; next >= 0;) {
+        const auto after = std::upper_bound(blocks.begin(), blocks.end(), next,
+                                            [](int r, const FactorBlock& block) { return r < block.end; });
+        way.push_back(&*after);
+        for (int r = next; r < after->end; ++r)
+            result.rows.push_back(r);
+        next = after->below.empty() ? -1 : after->below.front();
+    }
+    result.values.assign(result.rows.size(), 0.0);
+    result.values[0] = 1;
+    std::size_t i = 0;
+    for (const FactorBlock* block : way)
+        for (; i < result.rows.size() && result.rows[i] < block->end; ++i) {
+            const auto column = static_cast<std::size_t>(result.rows[i] - block->begin);
+            const double* const values = m_values.data() + block->values + column * block->height();
+            const double solved = result.values[i] /= values[column];
+            std::size_t target = i;
+            for (std::size_t r = column + 1; r < block->width(); ++r)
+                result.values[++target] -= values[r] * solved;
+            for (std::size_t r = 0; r < block->below.size(); ++r) {
+                while (result.rows[target] != block->below[r])
+                    ++target;
+                result.values[target] -= values[block->width() + r] * solved;
+            }
+        }
+    return result;
+}
+
+} // namespace esm

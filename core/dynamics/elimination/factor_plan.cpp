@@ -1,0 +1,108 @@
+#include "core/dynamics/elimination/factor_plan.h"
+
+#include "core/dynamics/elimination/dissection.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+class FactorPlanner {
+public:
+    FactorPlanner(const RowGraph& graph, const Dissection& dissection)
+        : m_graph(graph), m_order(dissection.order), m_blockOf(graph.rowCount()),
+          m_metBy(graph.rowCount(), -1) {
+        m_plan.places.resize(graph.rowCount());
+        for (std::size_t place = 0; place < m_order.size(); ++place)
+            placeOf(m_order[place]) = static_cast<int>(place);
+        int begin = 0;
+        for (const int end : dissection.pieceEnds) {
+            const auto number = static_cast<int>(m_plan.blocks.size());
+            std::fill(m_blockOf.begin() + begin, m_blockOf.begin() + end, number);
+            m_plan.blocks.emplace_back().begin = std::exchange(begin, end);
+            m_plan.blocks.back().end = end;
+        }
+    }
+
+    FactorPlan planned(const Eigen::SparseMatrix<double>& lower) {
+        for (std::size_t number = 0; number < m_plan.blocks.size(); ++number)
+            planBlock(static_cast<int>(number));
+        findTargets(lower);
+        return std::move(m_plan);
+    }
+
+private:
+    int& placeOf(int row) { return m_plan.places[static_cast<std::size_t>(row)]; }
+    FactorBlock& blockAt(int number) { return m_plan.blocks[static_cast<std::size_t>(number)]; }
+
+    void planBlock(int number);
+    void linkToParent(int number);
+    std::vector<int> placesWithin(const FactorBlock& block, const std::vector<int>& rows) const;
+    void findTargets(const Eigen::SparseMatrix<double>& lower);
+
+    const RowGraph& m_graph;
+    const std::vector<int>& m_order;
+    std::vector<int> m_blockOf; ///< per row of the factor
+    std::vector<int> m_metBy;   ///< per row of the factor, the block that it was found below of last
+    FactorPlan m_plan;
+};
+
+/// A block has entries in the rows that its own are coupled to, and where its children leave some.
+void FactorPlanner::planBlock(int number) {
+    FactorBlock& block = blockAt(number);
+    const auto meet = [&](int row) {
+        if (row >= block.end && std::exchange(m_metBy[static_cast<std::size_t>(row)], number) != number)
+            block.below.push_back(row);
+    };
+    for (int column = block.begin; column < block.end; ++column)
+        for (const int other : m_graph.coupledTo(m_order[static_cast<std::size_t>(column)]))
+            meet(placeOf(other));
+    for (const int child : block.children) {
+        std::for_each(blockAt(child).below.begin(), blockAt(child).below.end(), meet);
+    }
+    std::sort(block.below.begin(), block.below.end());
+    for (const int child : block.children)
+        blockAt(child).placesInParent = placesWithin(block, blockAt(child).below);
+    block.values = m_plan.valueCount;
+    m_plan.valueCount += block.width() * block.height();
+    m_plan.mostRows = std::max(m_plan.mostRows, block.height());
+    if (!block.below.empty())
+        blockAt(m_blockOf[static_cast<std::size_t>(block.below.front())]).children.push_back(number);
+}
+
+/// @param rows increasing, all of them the block's
+std::vector<int> FactorPlanner::placesWithin(const FactorBlock& block, const std::vector<int>& rows) const {
+    std::vector<int> places;
+    places.reserve(rows.size());
+    auto next = block.below.begin();
+    for (const int row : rows) {
+        if (row >= block.end) next = std::lower_bound(next, block.below.end(), row);
+        places.push_back(row < block.end
+                             ? row - block.begin
+                             : block.end - block.begin + static_cast<int>(next - block.below.begin()));
+    }
+    return places;
+}
+
+void FactorPlanner::findTargets(const Eigen::SparseMatrix<double>& lower) {
+    m_plan.targets.reserve(static_cast<std::size_t>(lower.nonZeros()));
+    for (int outer = 0; outer < lower.outerSize(); ++outer)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, outer); it; ++it) {
+            const auto [column, row] = std::minmax({placeOf(outer), placeOf(static_cast<int>(it.row()))});
+            const FactorBlock& block = blockAt(m_blockOf[static_cast<std::size_t>(column)]);
+            const auto place = static_cast<std::size_t>(placesWithin(block, {row}).front());
+            m_plan.targets.push_back(block.values +
+                                     static_cast<std::size_t>(column - block.begin) * block.height() + place);
+        }
+}
+
+} // namespace
+
+FactorPlan planFactor(const Eigen::SparseMatrix<double>& lower, const std::vector<Eigen::Vector3d>& places) {
+    const RowGraph graph(lower);
+    return FactorPlanner(graph, dissect(graph, places)).planned(lower);
+}
+
+} // namespace esm
