@@ -137,6 +137,14 @@ void StepMatrix::multiplyUpper(const Vectors& velocities, Vectors& half) const {
     half = m_factor.multiplyUpper(ordered);
 }
 
+std::vector<HalfColumn> StepMatrix::halfColumns(const std::vector<std::uint32_t>& nodes) const {
+    std::vector<int> rows;
+    rows.reserve(nodes.size());
+    for (const std::uint32_t node : nodes)
+        rows.push_back(m_row[node]);
+    return m_factor.halfColumns(rows);
+}
+
 // The mode that rounding spoils first is all nodes moving as one: only mass, tethers and given nodes
 // resist it, and on the diagonal their part is lost in that of springs where these are 10¹⁶ times as large.
 // Cholesky's method need not fail there, but gives wrong velocities. So the matrix is applied to that mode by

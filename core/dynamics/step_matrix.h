@@ -52,6 +52,8 @@ public:
                MatrixFactoriser& factoriser);
 
     bool isGiven(std::uint32_t node) const { return m_row[node] < 0; }
+    /// Numbers that the factor keeps.
+    std::size_t factorValues() const { return m_factor.valueCount(); }
 
     /// L⁻¹·(momentum − what the given nodes' velocities take from it), in the factor's own order.
     void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
@@ -60,8 +62,8 @@ public:
     /// Velocities of all that are not given.
     void solveUpper(Vectors half, Vectors& velocities) const;
 
-    /// Precondition: the node is not given.
-    HalfColumn halfColumn(std::uint32_t node) const { return m_factor.halfColumn(m_row[node]); }
+    /// Precondition: none of the nodes is given.
+    std::vector<HalfColumn> halfColumns(const std::vector<std::uint32_t>& nodes) const;
 
 private:
     struct Coupling {

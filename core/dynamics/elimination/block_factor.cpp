@@ -158,40 +158,67 @@ std::vector<Vector3d> BlockFactor::multiplyUpper(const std::vector<Vector3d>& ve
     return products;
 }
 
-// Solves L·x = e for one row's unit vector. Only the rows on the way from that row to the root of the
-// elimination tree come out other than zero (Davis 2006), so that the way is walked first and only its rows
-// are computed. It leads through the row's block and on to the first row below it. All rows below a block
-// are on the way as well, so that one pass over the rest of the way meets them all.
-HalfColumn BlockFactor::halfColumn(int row) const {
+/// Numbers of the blocks on the way from a row to the root of the elimination tree: the row's own, and always
+/// on to that of the first row below.
+std::vector<int> BlockFactor::wayFrom(int row) const {
     const std::vector<FactorBlock>& blocks = m_plan->blocks;
-    HalfColumn result;
-    std::vector<const FactorBlock*> way;
+    std::vector<int> way;
     for (int next = row; next >= 0;) {
-        const auto after = std::upper_bound(blocks.begin(), blocks.end(), next,
-                                            [](int r, const FactorBlock& block) { return r < block.end; });
-        way.push_back(&*after);
-        for (int r = next; r < after->end; ++r)
-            result.rows.push_back(r);
-        next = after->below.empty() ? -1 : after->below.front();
+        const auto block = std::upper_bound(blocks.begin(), blocks.end(), next,
+                                            [](int r, const FactorBlock& b) { return r < b.end; });
+        way.push_back(static_cast<int>(block - blocks.begin()));
+        next = block->below.empty() ? -1 : block->below.front();
     }
-    result.values.assign(result.rows.size(), 0.0);
-    result.values[0] = 1;
-    std::size_t i = 0;
-    for (const FactorBlock* block : way)
-        for (; i < result.rows.size() && result.rows[i] < block->end; ++i) {
-            const auto column = static_cast<std::size_t>(result.rows[i] - block->begin);
-            const double* const values = m_values.data() + block->values + column * block->height();
-            const double solved = result.values[i] /= values[column];
-            std::size_t target = i;
-            for (std::size_t r = column + 1; r < block->width(); ++r)
-                result.values[++target] -= values[r] * solved;
-            for (std::size_t r = 0; r < block->below.size(); ++r) {
-                while (result.rows[target] != block->below[r])
-                    ++target;
-                result.values[target] -= values[block->width() + r] * solved;
+    return way;
+}
+
+/// Of up to three rows at once, as the three right-hand sides of one solution.
+/// @param zeros as many as there are rows; so again afterwards
+void BlockFactor::solveUnits(std::span<const int> rows, std::vector<Vector3d>& zeros,
+                             std::vector<HalfColumn>& columns) const {
+    std::vector<int> all;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        zeros[static_cast<std::size_t>(rows[i])][static_cast<Eigen::Index>(i)] = 1;
+        const std::vector<int> way = wayFrom(rows[i]);
+        all.insert(all.end(), way.begin(), way.end());
+    }
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    BlockSides sides(m_plan->mostRows);
+    for (const int number : all) {
+        const FactorBlock& block = m_plan->blocks[static_cast<std::size_t>(number)];
+        sides.take(block, zeros);
+        panelFunctions().solveLower(panelOf(block, m_values), sides.sides());
+        sides.give(block, block.height(), zeros);
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        HalfColumn& column = columns.emplace_back();
+        int row = rows[i];
+        for (const int number : wayFrom(row)) {
+            const FactorBlock& block = m_plan->blocks[static_cast<std::size_t>(number)];
+            for (; row < block.end; ++row) {
+                column.rows.push_back(row);
+                column.values.push_back(zeros[static_cast<std::size_t>(row)][static_cast<Eigen::Index>(i)]);
             }
+            if (!block.below.empty()) row = block.below.front();
         }
-    return result;
+    }
+    for (const int number : all) {
+        const FactorBlock& block = m_plan->blocks[static_cast<std::size_t>(number)];
+        std::fill(zeros.begin() + block.begin, zeros.begin() + block.end, Vector3d::Zero());
+    }
+}
+
+// Solves L·x = e for each row's unit vector. Only the rows on the way from that row to the root of the
+// elimination tree come out other than zero (Davis 2006), so that only the blocks of the way are gone
+// through. All rows below a block lie on its way.
+std::vector<HalfColumn> BlockFactor::halfColumns(const std::vector<int>& rows) const {
+    std::vector<HalfColumn> columns;
+    std::vector<Vector3d> zeros(rowCount(), Vector3d::Zero());
+    for (std::size_t first = 0; first < rows.size(); first += 3)
+        solveUnits(std::span(rows).subspan(first, std::min<std::size_t>(3, rows.size() - first)), zeros,
+                   columns);
+    return columns;
 }
 
 } // namespace esm

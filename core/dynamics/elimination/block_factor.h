@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace esm {
@@ -28,6 +29,7 @@ public:
                                          std::shared_ptr<const FactorPlan> plan);
 
     std::size_t rowCount() const { return m_plan->places.size(); }
+    std::size_t valueCount() const { return m_values.size(); }
     /// The factor's row for each row of the matrix.
     const std::vector<int>& places() const { return m_plan->places; }
 
@@ -36,9 +38,14 @@ public:
     void solveUpper(std::vector<Eigen::Vector3d>& vectors) const;
     /// Lᵀ·vectors
     std::vector<Eigen::Vector3d> multiplyUpper(const std::vector<Eigen::Vector3d>& vectors) const;
-    HalfColumn halfColumn(int row) const;
+    /// Those of some rows, each as if it were asked for alone.
+    std::vector<HalfColumn> halfColumns(const std::vector<int>& rows) const;
 
 private:
+    std::vector<int> wayFrom(int row) const;
+    void solveUnits(std::span<const int> rows, std::vector<Eigen::Vector3d>& zeros,
+                    std::vector<HalfColumn>& columns) const;
+
     explicit BlockFactor(std::shared_ptr<const FactorPlan> plan)
         : m_plan(std::move(plan)), m_values(m_plan->valueCount, 0.0) {}
 

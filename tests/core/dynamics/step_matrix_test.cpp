@@ -82,7 +82,8 @@ TEST(StepMatrix, GivesColumnsWhoseProductsAreItsInverse) {
     const Eigen::MatrixXd inverse = denseMatrix(system, 1, 0.02).inverse();
     for (const std::uint32_t a : {0U, 7U, 35U})
         for (const std::uint32_t b : {0U, 8U, 21U}) {
-            const HalfColumn first = matrix.halfColumn(a), second = matrix.halfColumn(b);
+            const auto columns = matrix.halfColumns({a, b});
+            const HalfColumn &first = columns[0], &second = columns[1];
             double product = 0;
             for (std::size_t i = 0; i < first.rows.size(); ++i)
                 for (std::size_t j = 0; j < second.rows.size(); ++j)

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 using namespace esm;
@@ -111,9 +112,13 @@ TEST(BlockFactor, GivesColumnsOfTheInverseOfItsLowerHalf) {
     const Eigen::MatrixXd lower = inFactorsOrder(sample, *factor).llt().matrixL();
     const Eigen::MatrixXd inverse =
         lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(150, 150));
+    std::vector<int> rows(150);
+    std::iota(rows.begin(), rows.end(), 0);
+    const std::vector<HalfColumn> columns = factor->halfColumns(rows);
     for (int row = 0; row < 150; ++row) {
-        const HalfColumn column = factor->halfColumn(row);
+        const HalfColumn& column = columns[static_cast<std::size_t>(row)];
         EXPECT_EQ(column.rows.front(), row);
+        EXPECT_EQ(column.values, factor->halfColumns({row}).front().values) << "alone";
         Eigen::VectorXd found = Eigen::VectorXd::Zero(150);
         for (std::size_t i = 0; i < column.rows.size(); ++i)
             found[column.rows[i]] = column.values[i];
