@@ -113,7 +113,7 @@ SparseMatrix ordered(const SparseMatrix& lower, const std::vector<Vector3d>& pla
     std::vector<Vector3d> placesOfRows;
     for (const Vector3d& place : places)
         placesOfRows.insert(placesOfRows.end(), 3, place);
-    const std::vector<int> order = dissect(RowGraph(lower), placesOfRows).order;
+    const std::vector<int> order = dissect(RowGraph(lower), placesOfRows);
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> permutation(lower.rows());
     for (std::size_t place = 0; place < order.size(); ++place)
         permutation.indices()[order[place]] = static_cast<int>(place);
