@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace esm {
 
@@ -111,36 +113,54 @@ kernel::Panel panelOf(const FactorBlock& block, const LargeVector<double>& value
 /// are, by measurement on nets: of these most blocks are as narrow.
 constexpr std::size_t narrow = 8;
 
-/// As the kernel's function, on vectors in the factor's order.
+/// As the kernel's functions, on vectors in the factor's order.
+template<std::size_t width>
 void solveLowerInPlace(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors) {
-    const std::size_t width = block.width(), height = block.height();
-    Vector3d* const own = vectors.data() + block.begin;
+    const std::size_t height = block.height();
+    std::array<Vector3d, width> solved;
     for (std::size_t column = 0; column < width; ++column) {
+        Vector3d& own = vectors[static_cast<std::size_t>(block.begin) + column];
         for (std::size_t k = 0; k < column; ++k)
-            own[column] -= panel[k * height + column] * own[k];
-        own[column] /= panel[column * height + column];
+            own -= panel[k * height + column] * solved[k];
+        solved[column] = own /= panel[column * height + column];
     }
     for (std::size_t i = 0; i < block.below.size(); ++i) {
-        Vector3d& vector = vectors[static_cast<std::size_t>(block.below[i])];
+        Vector3d vector = vectors[static_cast<std::size_t>(block.below[i])];
         for (std::size_t k = 0; k < width; ++k)
-            vector -= panel[k * height + width + i] * own[k];
+            vector -= panel[k * height + width + i] * solved[k];
+        vectors[static_cast<std::size_t>(block.below[i])] = vector;
     }
 }
 
+template<std::size_t width>
 void solveUpperInPlace(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors) {
-    const std::size_t width = block.width(), height = block.height();
-    Vector3d* const own = vectors.data() + block.begin;
+    const std::size_t height = block.height();
+    std::array<Vector3d, width> sums;
+    std::copy_n(vectors.begin() + block.begin, width, sums.begin());
     for (std::size_t i = 0; i < block.below.size(); ++i) {
-        const Vector3d& vector = vectors[static_cast<std::size_t>(block.below[i])];
+        const Vector3d vector = vectors[static_cast<std::size_t>(block.below[i])];
         for (std::size_t k = 0; k < width; ++k)
-            own[k] -= panel[k * height + width + i] * vector;
+            sums[k] -= panel[k * height + width + i] * vector;
     }
     for (std::size_t column = width; column-- > 0;) {
         for (std::size_t k = column + 1; k < width; ++k)
-            own[column] -= panel[column * height + k] * own[k];
-        own[column] /= panel[column * height + column];
+            sums[column] -= panel[column * height + k] * sums[k];
+        sums[column] /= panel[column * height + column];
     }
+    std::copy_n(sums.begin(), width, vectors.begin() + block.begin);
 }
+
+using InPlace = void (*)(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors);
+
+/// By width, from 1 on.
+template<std::size_t... w> constexpr std::array<InPlace, narrow> lowerInPlace(std::index_sequence<w...>) {
+    return {solveLowerInPlace<w + 1>...};
+}
+template<std::size_t... w> constexpr std::array<InPlace, narrow> upperInPlace(std::index_sequence<w...>) {
+    return {solveUpperInPlace<w + 1>...};
+}
+constexpr auto narrowLower = lowerInPlace(std::make_index_sequence<narrow>());
+constexpr auto narrowUpper = upperInPlace(std::make_index_sequence<narrow>());
 
 } // namespace
 
@@ -164,7 +184,7 @@ void BlockFactor::solveLower(std::vector<Vector3d>& vectors) const {
     BlockSides rows(m_plan->mostRows);
     for (const FactorBlock& block : m_plan->blocks) {
         if (block.width() <= narrow) {
-            solveLowerInPlace(block, m_values.data() + block.values, vectors);
+            narrowLower[block.width() - 1](block, m_values.data() + block.values, vectors);
             continue;
         }
         rows.take(block, vectors);
@@ -177,7 +197,7 @@ void BlockFactor::solveUpper(std::vector<Vector3d>& vectors) const {
     BlockSides rows(m_plan->mostRows);
     for (auto block = m_plan->blocks.rbegin(); block != m_plan->blocks.rend(); ++block) {
         if (block->width() <= narrow) {
-            solveUpperInPlace(*block, m_values.data() + block->values, vectors);
+            narrowUpper[block->width() - 1](*block, m_values.data() + block->values, vectors);
             continue;
         }
         rows.take(*block, vectors);
