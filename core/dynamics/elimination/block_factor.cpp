@@ -24,7 +24,7 @@ public:
     bool eliminate(std::size_t number);
 
 private:
-    void takeOver(const FactorBlock& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
+    void takeOver(const BlockLinks& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
                   MatrixXd& own) const;
 
     const FactorPlan& m_plan;
@@ -33,7 +33,7 @@ private:
 };
 
 /// Adds a child's update to the panel and to the block's own update, and forgets it.
-void Elimination::takeOver(const FactorBlock& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
+void Elimination::takeOver(const BlockLinks& child, MatrixXd& update, Eigen::Map<MatrixXd>& panel,
                            MatrixXd& own) const {
     const auto width = panel.cols();
     for (Eigen::Index j = 0; j < update.cols(); ++j) {
@@ -48,12 +48,12 @@ void Elimination::takeOver(const FactorBlock& child, MatrixXd& update, Eigen::Ma
 bool Elimination::eliminate(std::size_t number) {
     const FactorBlock& block = m_plan.blocks[number];
     const auto width = static_cast<Eigen::Index>(block.width());
-    const auto rest = static_cast<Eigen::Index>(block.below.size());
+    const auto rest = static_cast<Eigen::Index>(block.belowCount);
     Eigen::Map<MatrixXd> panel(m_values + block.values, width + rest, width);
     MatrixXd& update = m_updates[number];
     update.setZero(rest, rest);
-    for (const int child : block.children)
-        takeOver(m_plan.blocks[static_cast<std::size_t>(child)], m_updates[static_cast<std::size_t>(child)],
+    for (const int child : m_plan.links[number].children)
+        takeOver(m_plan.links[static_cast<std::size_t>(child)], m_updates[static_cast<std::size_t>(child)],
                  panel, update);
     Eigen::Ref<MatrixXd> triangle = panel.topRows(width);
     if (const Eigen::LLT<Eigen::Ref<MatrixXd>> inPlace(triangle); inPlace.info() != Eigen::Success)
@@ -73,7 +73,8 @@ const kernel::PanelFunctions& panelFunctions() {
 /// The rows of one block at a time out of vectors in the factor's order, x, y and z apart.
 class BlockSides {
 public:
-    explicit BlockSides(std::size_t mostRows) : m_values(3 * mostRows), m_stride(mostRows) {}
+    explicit BlockSides(const FactorPlan& plan)
+        : m_plan(plan), m_values(3 * plan.mostRows), m_stride(plan.mostRows) {}
 
     kernel::PanelSides sides() { return {{at(0, 0), at(1, 0), at(2, 0)}}; }
 
@@ -94,13 +95,15 @@ public:
 private:
     double* at(std::size_t axis, std::size_t place) { return m_values.data() + axis * m_stride + place; }
 
-    template<class Visit> static void forEachRow(const FactorBlock& block, const Visit& visit) {
+    template<class Visit> void forEachRow(const FactorBlock& block, const Visit& visit) const {
         for (std::size_t place = 0; place < block.width(); ++place)
             visit(place, static_cast<std::size_t>(block.begin) + place);
-        for (std::size_t i = 0; i < block.below.size(); ++i)
-            visit(block.width() + i, static_cast<std::size_t>(block.below[i]));
+        std::size_t place = block.width();
+        for (const int row : m_plan.below(block))
+            visit(place++, static_cast<std::size_t>(row));
     }
 
+    const FactorPlan& m_plan;
     std::vector<double> m_values;
     std::size_t m_stride;
 };
@@ -115,8 +118,10 @@ constexpr std::size_t narrow = 8;
 
 /// As the kernel's functions, on vectors in the factor's order.
 template<std::size_t width>
-void solveLowerInPlace(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors) {
+void solveLowerInPlace(const FactorPlan& plan, const FactorBlock& block, const double* panel,
+                       std::vector<Vector3d>& vectors) {
     const std::size_t height = block.height();
+    const std::span<const int> below = plan.below(block);
     std::array<Vector3d, width> solved;
     for (std::size_t column = 0; column < width; ++column) {
         Vector3d& own = vectors[static_cast<std::size_t>(block.begin) + column];
@@ -124,21 +129,23 @@ void solveLowerInPlace(const FactorBlock& block, const double* panel, std::vecto
             own -= panel[k * height + column] * solved[k];
         solved[column] = own /= panel[column * height + column];
     }
-    for (std::size_t i = 0; i < block.below.size(); ++i) {
-        Vector3d vector = vectors[static_cast<std::size_t>(block.below[i])];
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        Vector3d vector = vectors[static_cast<std::size_t>(below[i])];
         for (std::size_t k = 0; k < width; ++k)
             vector -= panel[k * height + width + i] * solved[k];
-        vectors[static_cast<std::size_t>(block.below[i])] = vector;
+        vectors[static_cast<std::size_t>(below[i])] = vector;
     }
 }
 
 template<std::size_t width>
-void solveUpperInPlace(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors) {
+void solveUpperInPlace(const FactorPlan& plan, const FactorBlock& block, const double* panel,
+                       std::vector<Vector3d>& vectors) {
     const std::size_t height = block.height();
+    const std::span<const int> below = plan.below(block);
     std::array<Vector3d, width> sums;
     std::copy_n(vectors.begin() + block.begin, width, sums.begin());
-    for (std::size_t i = 0; i < block.below.size(); ++i) {
-        const Vector3d vector = vectors[static_cast<std::size_t>(block.below[i])];
+    for (std::size_t i = 0; i < below.size(); ++i) {
+        const Vector3d vector = vectors[static_cast<std::size_t>(below[i])];
         for (std::size_t k = 0; k < width; ++k)
             sums[k] -= panel[k * height + width + i] * vector;
     }
@@ -150,7 +157,8 @@ void solveUpperInPlace(const FactorBlock& block, const double* panel, std::vecto
     std::copy_n(sums.begin(), width, vectors.begin() + block.begin);
 }
 
-using InPlace = void (*)(const FactorBlock& block, const double* panel, std::vector<Vector3d>& vectors);
+using InPlace = void (*)(const FactorPlan& plan, const FactorBlock& block, const double* panel,
+                         std::vector<Vector3d>& vectors);
 
 /// By width, from 1 on.
 template<std::size_t... w> constexpr std::array<InPlace, narrow> lowerInPlace(std::index_sequence<w...>) {
@@ -181,10 +189,10 @@ std::optional<BlockFactor> BlockFactor::of(const Eigen::SparseMatrix<double>& lo
 }
 
 void BlockFactor::solveLower(std::vector<Vector3d>& vectors) const {
-    BlockSides rows(m_plan->mostRows);
+    BlockSides rows(*m_plan);
     for (const FactorBlock& block : m_plan->blocks) {
         if (block.width() <= narrow) {
-            narrowLower[block.width() - 1](block, m_values.data() + block.values, vectors);
+            narrowLower[block.width() - 1](*m_plan, block, m_values.data() + block.values, vectors);
             continue;
         }
         rows.take(block, vectors);
@@ -194,10 +202,10 @@ void BlockFactor::solveLower(std::vector<Vector3d>& vectors) const {
 }
 
 void BlockFactor::solveUpper(std::vector<Vector3d>& vectors) const {
-    BlockSides rows(m_plan->mostRows);
+    BlockSides rows(*m_plan);
     for (auto block = m_plan->blocks.rbegin(); block != m_plan->blocks.rend(); ++block) {
         if (block->width() <= narrow) {
-            narrowUpper[block->width() - 1](*block, m_values.data() + block->values, vectors);
+            narrowUpper[block->width() - 1](*m_plan, *block, m_values.data() + block->values, vectors);
             continue;
         }
         rows.take(*block, vectors);
@@ -209,13 +217,14 @@ void BlockFactor::solveUpper(std::vector<Vector3d>& vectors) const {
 std::vector<Vector3d> BlockFactor::multiplyUpper(const std::vector<Vector3d>& vectors) const {
     std::vector<Vector3d> products(vectors.size(), Vector3d::Zero());
     for (const FactorBlock& block : m_plan->blocks) {
+        const std::span<const int> below = m_plan->below(block);
         const double* column = m_values.data() + block.values;
         for (std::size_t c = 0; c < block.width(); ++c, column += block.height()) {
             Vector3d& product = products[static_cast<std::size_t>(block.begin) + c];
             for (std::size_t r = c; r < block.width(); ++r)
                 product += column[r] * vectors[static_cast<std::size_t>(block.begin) + r];
-            for (std::size_t i = 0; i < block.below.size(); ++i)
-                product += column[block.width() + i] * vectors[static_cast<std::size_t>(block.below[i])];
+            for (std::size_t i = 0; i < below.size(); ++i)
+                product += column[block.width() + i] * vectors[static_cast<std::size_t>(below[i])];
         }
     }
     return products;
@@ -230,7 +239,7 @@ std::vector<int> BlockFactor::wayFrom(int row) const {
         const auto block = std::upper_bound(blocks.begin(), blocks.end(), next,
                                             [](int r, const FactorBlock& b) { return r < b.end; });
         way.push_back(static_cast<int>(block - blocks.begin()));
-        next = block->below.empty() ? -1 : block->below.front();
+        next = block->belowCount == 0 ? -1 : m_plan->rowsBelow[block->firstBelow];
     }
     return way;
 }
@@ -247,7 +256,7 @@ void BlockFactor::solveUnits(std::span<const int> rows, std::vector<Vector3d>& z
     }
     std::sort(all.begin(), all.end());
     all.erase(std::unique(all.begin(), all.end()), all.end());
-    BlockSides sides(m_plan->mostRows);
+    BlockSides sides(*m_plan);
     for (const int number : all) {
         const FactorBlock& block = m_plan->blocks[static_cast<std::size_t>(number)];
         sides.take(block, zeros);
@@ -263,7 +272,7 @@ void BlockFactor::solveUnits(std::span<const int> rows, std::vector<Vector3d>& z
                 column.rows.push_back(row);
                 column.values.push_back(zeros[static_cast<std::size_t>(row)][static_cast<Eigen::Index>(i)]);
             }
-            if (!block.below.empty()) row = block.below.front();
+            if (block.belowCount > 0) row = m_plan->rowsBelow[block.firstBelow];
         }
     }
     for (const int number : all) {

@@ -82,6 +82,7 @@ public:
             m_plan.blocks.emplace_back().begin = std::exchange(begin, end);
             m_plan.blocks.back().end = end;
         }
+        m_plan.links.resize(m_plan.blocks.size());
     }
 
     FactorPlan planned(const Eigen::SparseMatrix<double>& lower) {
@@ -93,11 +94,11 @@ public:
 
 private:
     int& placeOf(int row) { return m_plan.places[static_cast<std::size_t>(row)]; }
+    BlockLinks& linksOf(int number) { return m_plan.links[static_cast<std::size_t>(number)]; }
     FactorBlock& blockAt(int number) { return m_plan.blocks[static_cast<std::size_t>(number)]; }
 
     void planBlock(int number);
-    void linkToParent(int number);
-    std::vector<int> placesWithin(const FactorBlock& block, const std::vector<int>& rows) const;
+    std::vector<int> placesWithin(const FactorBlock& block, std::span<const int> rows) const;
     void findTargets(const Eigen::SparseMatrix<double>& lower);
 
     const RowGraph& m_graph;
@@ -110,36 +111,40 @@ private:
 /// A block has entries in the rows that its own are coupled to, and where its children leave some.
 void FactorPlanner::planBlock(int number) {
     FactorBlock& block = blockAt(number);
+    block.firstBelow = m_plan.rowsBelow.size();
     const auto meet = [&](int row) {
         if (row >= block.end && std::exchange(m_metBy[static_cast<std::size_t>(row)], number) != number)
-            block.below.push_back(row);
+            m_plan.rowsBelow.push_back(row);
     };
     for (int column = block.begin; column < block.end; ++column)
         for (const int other : m_graph.coupledTo(m_order[static_cast<std::size_t>(column)]))
             meet(placeOf(other));
-    for (const int child : block.children) {
-        std::for_each(blockAt(child).below.begin(), blockAt(child).below.end(), meet);
-    }
-    std::sort(block.below.begin(), block.below.end());
-    for (const int child : block.children)
-        blockAt(child).placesInParent = placesWithin(block, blockAt(child).below);
+    for (const int child : linksOf(number).children)
+        for (std::size_t i = 0; i < blockAt(child).belowCount; ++i)
+            meet(m_plan.rowsBelow[blockAt(child).firstBelow + i]);
+    std::sort(m_plan.rowsBelow.begin() + static_cast<std::ptrdiff_t>(block.firstBelow),
+              m_plan.rowsBelow.end());
+    block.belowCount = m_plan.rowsBelow.size() - block.firstBelow;
+    for (const int child : linksOf(number).children)
+        linksOf(child).placesInParent = placesWithin(block, m_plan.below(blockAt(child)));
     block.values = m_plan.valueCount;
     m_plan.valueCount += block.width() * block.height();
     m_plan.mostRows = std::max(m_plan.mostRows, block.height());
-    if (!block.below.empty())
-        blockAt(m_blockOf[static_cast<std::size_t>(block.below.front())]).children.push_back(number);
+    if (block.belowCount > 0)
+        linksOf(m_blockOf[static_cast<std::size_t>(m_plan.rowsBelow[block.firstBelow])])
+            .children.push_back(number);
 }
 
 /// @param rows increasing, all of them the block's
-std::vector<int> FactorPlanner::placesWithin(const FactorBlock& block, const std::vector<int>& rows) const {
+std::vector<int> FactorPlanner::placesWithin(const FactorBlock& block, std::span<const int> rows) const {
     std::vector<int> places;
     places.reserve(rows.size());
-    auto next = block.below.begin();
+    const std::span<const int> below = m_plan.below(block);
+    auto next = below.begin();
     for (const int row : rows) {
-        if (row >= block.end) next = std::lower_bound(next, block.below.end(), row);
-        places.push_back(row < block.end
-                             ? row - block.begin
-                             : block.end - block.begin + static_cast<int>(next - block.below.begin()));
+        if (row >= block.end) next = std::lower_bound(next, below.end(), row);
+        places.push_back(row < block.end ? row - block.begin
+                                         : block.end - block.begin + static_cast<int>(next - below.begin()));
     }
     return places;
 }
@@ -150,7 +155,7 @@ void FactorPlanner::findTargets(const Eigen::SparseMatrix<double>& lower) {
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, outer); it; ++it) {
             const auto [column, row] = std::minmax({placeOf(outer), placeOf(static_cast<int>(it.row()))});
             const FactorBlock& block = blockAt(m_blockOf[static_cast<std::size_t>(column)]);
-            const auto place = static_cast<std::size_t>(placesWithin(block, {row}).front());
+            const auto place = static_cast<std::size_t>(placesWithin(block, {&row, 1}).front());
             m_plan.targets.push_back(block.values +
                                      static_cast<std::size_t>(column - block.begin) * block.height() + place);
         }

@@ -47,19 +47,22 @@ TEST(FactorPlan, HasBlocksThatFollowEachOtherAndChangeLaterOnes) {
     const FactorPlan plan = planOf(net);
     int next = 0;
     std::size_t values = 0;
-    for (const FactorBlock& block : plan.blocks) {
+    for (std::size_t number = 0; number < plan.blocks.size(); ++number) {
+        const FactorBlock& block = plan.blocks[number];
         EXPECT_EQ(block.begin, std::exchange(next, block.end));
         EXPECT_EQ(block.values, values);
-        EXPECT_TRUE(std::is_sorted(block.below.begin(), block.below.end()));
-        EXPECT_TRUE(block.below.empty() || block.below.front() >= block.end);
-        for (const int child : block.children) {
-            const FactorBlock& changing = plan.blocks[static_cast<std::size_t>(child)];
-            ASSERT_EQ(changing.placesInParent.size(), changing.below.size());
-            for (std::size_t i = 0; i < changing.below.size(); ++i) {
-                const auto place = static_cast<std::size_t>(changing.placesInParent[i]);
+        const auto below = plan.below(block);
+        EXPECT_TRUE(std::is_sorted(below.begin(), below.end()));
+        EXPECT_TRUE(below.empty() || below.front() >= block.end);
+        for (const int child : plan.links[number].children) {
+            const auto changed = plan.below(plan.blocks[static_cast<std::size_t>(child)]);
+            const std::vector<int>& places = plan.links[static_cast<std::size_t>(child)].placesInParent;
+            ASSERT_EQ(places.size(), changed.size());
+            for (std::size_t i = 0; i < changed.size(); ++i) {
+                const auto place = static_cast<std::size_t>(places[i]);
                 const int row = place < block.width() ? block.begin + static_cast<int>(place)
-                                                      : block.below[place - block.width()];
-                EXPECT_EQ(row, changing.below[i]);
+                                                      : below[place - block.width()];
+                EXPECT_EQ(row, changed[i]);
             }
         }
         values += block.width() * block.height();
