@@ -51,6 +51,14 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
     return matrix;
 }
 
+Vectors placesOfRows(const SpringSystem& system, const std::vector<int>& index) {
+    Vectors places;
+    places.reserve(index.size());
+    for (std::size_t node = 0; node < index.size(); ++node)
+        if (index[node] >= 0) places.push_back(system.network->restPositions[node]);
+    return places;
+}
+
 [[noreturn]] void refuseIllConditioned() {
     throw InvalidModel(
         "viscosity or stiffness outweighs mass by more than can be computed with: raise the mass, lower the "
@@ -64,39 +72,38 @@ Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const Ma
     return assemble(system, factors, freeIndices(given));
 }
 
-// Analysing, which finds an order of elimination with little fill-in and the places of the factor's entries,
-// needs to know where entries are, not what they are. Where a slider moves parameters they stay in their
-// places, so that it is done once for a network.
-const Eigen::SimplicialLLT<MatrixFactoriser::Matrix>* MatrixFactoriser::factorise(const Matrix& matrix) {
+// An order of elimination and the places of the factor's entries depend on where the matrix has entries, not
+// on what they are. Where a slider moves parameters they stay in their places, so that all this is done once
+// for a network.
+std::optional<BlockFactor> MatrixFactoriser::factorise(const Matrix& matrix, const Vectors& places) {
     const auto start = std::chrono::steady_clock::now();
-    if (!isAnalysed(matrix)) {
-        m_solver.analyzePattern(matrix);
+    if (!isPlanned(matrix, places)) {
+        m_plan = std::make_shared<const FactorPlan>(planFactor(matrix, places));
         m_starts.assign(matrix.outerIndexPtr(), matrix.outerIndexPtr() + matrix.outerSize() + 1);
         m_rows.assign(matrix.innerIndexPtr(), matrix.innerIndexPtr() + matrix.nonZeros());
+        m_places = places;
     }
-    m_solver.factorize(matrix);
+    std::optional<BlockFactor> factor = BlockFactor::of(matrix, m_plan);
     m_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return m_solver.info() == Eigen::Success ? &m_solver : nullptr;
+    return factor;
 }
 
-bool MatrixFactoriser::isAnalysed(const Matrix& matrix) const {
+bool MatrixFactoriser::isPlanned(const Matrix& matrix, const Vectors& places) const {
     return m_starts.size() == static_cast<std::size_t>(matrix.outerSize()) + 1 &&
            m_rows.size() == static_cast<std::size_t>(matrix.nonZeros()) &&
            std::equal(m_starts.begin(), m_starts.end(), matrix.outerIndexPtr()) &&
-           std::equal(m_rows.begin(), m_rows.end(), matrix.innerIndexPtr());
+           std::equal(m_rows.begin(), m_rows.end(), matrix.innerIndexPtr()) && m_places == places;
 }
 
 StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
                        const std::vector<char>& given, MatrixFactoriser& factoriser)
     : m_row(freeIndices(given)) {
-    const Matrix matrix = assemble(system, factors, m_row);
-    if (matrix.rows() > 0) {
-        const auto* const factorisation = factoriser.factorise(matrix);
-        if (!factorisation) refuseIllConditioned();
-        m_lower = factorisation->matrixL().nestedExpression();
-        for (int& row : m_row)
-            if (row >= 0) row = factorisation->permutationP().indices()[row];
-    }
+    std::optional<BlockFactor> factor =
+        factoriser.factorise(assemble(system, factors, m_row), placesOfRows(system, m_row));
+    if (!factor) refuseIllConditioned();
+    m_factor = std::move(*factor);
+    for (int& row : m_row)
+        if (row >= 0) row = m_factor.places()[static_cast<std::size_t>(row)];
     for (const auto& spring : system.springs) {
         const double factor = coupling(factors, spring);
         if (factor == 0) continue;
@@ -108,80 +115,34 @@ StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
 }
 
 void StepMatrix::solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const {
-    half.resize(static_cast<std::size_t>(m_lower.cols()));
+    half.resize(m_factor.rowCount());
     for (std::size_t i = 0; i < m_row.size(); ++i)
         if (m_row[i] >= 0) half[static_cast<std::size_t>(m_row[i])] = momentum[i];
     for (const Coupling& coupling : m_couplings)
         half[static_cast<std::size_t>(coupling.row)] += coupling.factor * velocities[coupling.prescribedNode];
 
-    const int* start = m_lower.outerIndexPtr();
-    const int* row = m_lower.innerIndexPtr();
-    const double* value = m_lower.valuePtr();
-    for (std::size_t column = 0; column < half.size(); ++column) {
-        int entry = start[column];
-        const Eigen::Vector3d solved = half[column] / value[entry];
-        half[column] = solved;
-        for (++entry; entry < start[column + 1]; ++entry)
-            half[static_cast<std::size_t>(row[entry])] -= value[entry] * solved;
-    }
+    m_factor.solveLower(half);
 }
 
 void StepMatrix::solveUpper(Vectors half, Vectors& velocities) const {
-    const int* start = m_lower.outerIndexPtr();
-    const int* row = m_lower.innerIndexPtr();
-    const double* value = m_lower.valuePtr();
-    for (std::size_t column = half.size(); column-- > 0;) {
-        const int diagonal = start[column];
-        Eigen::Vector3d sum = half[column];
-        for (int entry = diagonal + 1; entry < start[column + 1]; ++entry)
-            sum -= value[entry] * half[static_cast<std::size_t>(row[entry])];
-        half[column] = sum / value[diagonal];
-    }
+    m_factor.solveUpper(half);
     for (std::size_t i = 0; i < m_row.size(); ++i)
         if (m_row[i] >= 0) velocities[i] = half[static_cast<std::size_t>(m_row[i])];
 }
 
 void StepMatrix::multiplyUpper(const Vectors& velocities, Vectors& half) const {
-    Vectors ordered(static_cast<std::size_t>(m_lower.cols()));
+    Vectors ordered(m_factor.rowCount());
     for (std::size_t i = 0; i < m_row.size(); ++i)
         if (m_row[i] >= 0) ordered[static_cast<std::size_t>(m_row[i])] = velocities[i];
-    half.assign(ordered.size(), Eigen::Vector3d::Zero());
-    for (int column = 0; column < m_lower.outerSize(); ++column)
-        for (Matrix::InnerIterator it(m_lower, column); it; ++it)
-            half[static_cast<std::size_t>(column)] +=
-                it.value() * ordered[static_cast<std::size_t>(it.row())];
+    half = m_factor.multiplyUpper(ordered);
 }
 
-// Solves L·x = e for one row's unit vector. Only the rows on the way from that row to the root of the
-// elimination tree come out other than zero (Davis 2006), so that the way is walked first and only its rows
-// are computed. Below a row of the way, its column's entries are on the way as well and in its order, so that
-// one pass over the rest of the way meets them all.
-HalfColumn StepMatrix::halfColumn(std::uint32_t node) const {
-    const int* start = m_lower.outerIndexPtr();
-    const int* row = m_lower.innerIndexPtr();
-    const double* value = m_lower.valuePtr();
-
-    HalfColumn result;
-    for (int r = m_row[node]; r >= 0;) {
-        result.rows.push_back(r);
-        // In a Cholesky factor a column's first entry below the diagonal is its parent in the elimination
-        // tree.
-        r = start[r] + 1 < start[r + 1] ? row[start[r] + 1] : -1;
-    }
-    result.values.assign(result.rows.size(), 0.0);
-    result.values[0] = 1;
-    for (std::size_t i = 0; i < result.rows.size(); ++i) {
-        int entry = start[result.rows[i]];
-        const int end = start[result.rows[i] + 1];
-        const double solved = result.values[i] /= value[entry];
-        std::size_t target = i;
-        for (++entry; entry < end; ++entry) {
-            while (result.rows[target] != row[entry])
-                ++target;
-            result.values[target] -= value[entry] * solved;
-        }
-    }
-    return result;
+std::vector<HalfColumn> StepMatrix::halfColumns(const std::vector<std::uint32_t>& nodes) const {
+    std::vector<int> rows;
+    rows.reserve(nodes.size());
+    for (const std::uint32_t node : nodes)
+        rows.push_back(m_row[node]);
+    return m_factor.halfColumns(rows);
 }
 
 // The mode that rounding spoils first is all nodes moving as one: only mass, tethers and given nodes

@@ -1,9 +1,12 @@
 #pragma once
 
+#include "core/dynamics/elimination/block_factor.h"
 #include "core/dynamics/matrix_factors.h"
 #include "core/dynamics/spring_system.h"
 
-#include <Eigen/SparseCholesky>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace esm {
 
@@ -19,25 +22,21 @@ class MatrixFactoriser {
 public:
     using Matrix = Eigen::SparseMatrix<double>;
 
-    /// The lower half of a matrix as L·Lᵀ in an order of its own; null when it is not positive definite.
-    const Eigen::SimplicialLLT<Matrix>* factorise(const Matrix& matrix);
+    /// The lower half of a matrix as L·Lᵀ; none when it is not positive definite.
+    /// @param places of its rows, m: rows that are coupled lie close together, or it takes long
+    std::optional<BlockFactor> factorise(const Matrix& matrix, const Vectors& places);
 
     /// s, wall time of all of them so far.
     double seconds() const { return m_seconds; }
 
 private:
-    bool isAnalysed(const Matrix& matrix) const;
+    bool isPlanned(const Matrix& matrix, const Vectors& places) const;
 
-    Eigen::SimplicialLLT<Matrix> m_solver;
-    std::vector<int> m_starts, m_rows; ///< of the columns of the matrix that was analysed last, its entries'
+    std::shared_ptr<const FactorPlan> m_plan;
+    // Of the matrix that it was made for: the columns' starts, the entries' rows, and where the rows lie.
+    std::vector<int> m_starts, m_rows;
+    Vectors m_places;
     double m_seconds = 0;
-};
-
-/// A column of L⁻¹: its entries, from the top down. They lie on one path of the elimination tree, so two
-/// columns end in the same rows from where their paths meet.
-struct HalfColumn {
-    std::vector<int> rows;
-    std::vector<double> values;
 };
 
 /// A = massFactor·M + dampingFactor·D + stiffnessFactor·K, factorised as L·Lᵀ once and solved for three
@@ -53,6 +52,8 @@ public:
                MatrixFactoriser& factoriser);
 
     bool isGiven(std::uint32_t node) const { return m_row[node] < 0; }
+    /// Numbers that the factor keeps.
+    std::size_t factorValues() const { return m_factor.valueCount(); }
 
     /// L⁻¹·(momentum − what the given nodes' velocities take from it), in the factor's own order.
     void solveLower(const Vectors& momentum, const Vectors& velocities, Vectors& half) const;
@@ -61,8 +62,8 @@ public:
     /// Velocities of all that are not given.
     void solveUpper(Vectors half, Vectors& velocities) const;
 
-    /// Precondition: the node is not given.
-    HalfColumn halfColumn(std::uint32_t node) const;
+    /// Precondition: none of the nodes is given.
+    std::vector<HalfColumn> halfColumns(const std::vector<std::uint32_t>& nodes) const;
 
 private:
     struct Coupling {
@@ -73,8 +74,7 @@ private:
 
     void checkAccuracy(const SpringSystem& system, const MatrixFactors& factors) const;
 
-    using Matrix = Eigen::SparseMatrix<double>;
-    Matrix m_lower;                    ///< L: each column starts with its diagonal, rows increasing
+    BlockFactor m_factor;
     std::vector<int> m_row;            ///< per node, in the factor's order; −1: given
     std::vector<Coupling> m_couplings; ///< between free and given nodes
 };

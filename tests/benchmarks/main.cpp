@@ -10,6 +10,7 @@
 #include "tests/benchmarks/layer_composition.h"
 #include "tests/benchmarks/local_poke.h"
 #include "tests/benchmarks/slider_move.h"
+#include "tests/benchmarks/solid_tissue.h"
 #include "tests/benchmarks/stiff_tissue.h"
 
 #include <string>
@@ -17,9 +18,9 @@
 namespace {
 
 std::vector<benchmarks::Ratio> (*const subjects[])(){
-    benchmarks::registerExplicitStep,     benchmarks::registerLocalPoke,  benchmarks::registerStiffTissue,
-    benchmarks::registerCriticalStep,     benchmarks::registerSliderMove, benchmarks::registerAtlasPacking,
-    benchmarks::registerLayerComposition,
+    benchmarks::registerExplicitStep,     benchmarks::registerLocalPoke,   benchmarks::registerStiffTissue,
+    benchmarks::registerCriticalStep,     benchmarks::registerSliderMove,  benchmarks::registerAtlasPacking,
+    benchmarks::registerLayerComposition, benchmarks::registerSolidTissue,
 #ifdef ESM_HAS_BULLET
     benchmarks::registerBullet,
 #endif

@@ -26,7 +26,8 @@ std::function<void()> factorisations(esm::Integrator integrator) {
     return [system, factoriser, integrator] {
         for (const bool builds : {false, true})
             factoriser->factorise(
-                laplacianMatrix(*system, esm::stepFactors(integrator, 1e-4, builds), system->fixed));
+                laplacianMatrix(*system, esm::stepFactors(integrator, 1e-4, builds), system->fixed),
+                system->network->restPositions);
     };
 }
 

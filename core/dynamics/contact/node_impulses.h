@@ -29,7 +29,7 @@ public:
     void lead(const std::vector<std::uint32_t>& nodes, const Vectors& velocities, Vectors& half);
 
 private:
-    Eigen::Index slotOf(std::uint32_t node);
+    void addSlot(std::uint32_t node, HalfColumn&& column);
 
     const StepMatrix* m_matrix;
     std::unordered_map<std::uint32_t, Eigen::Index> m_slots;

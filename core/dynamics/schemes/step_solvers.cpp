@@ -8,12 +8,22 @@ namespace {
 
 /// Kept of a kind. Steps that are cut to ever other lengths ask for ever other matrices, which take memory.
 constexpr std::size_t mostSolvers = 24;
+/// Of large ones, once their factors take a gigabyte.
+constexpr std::size_t mostLargeSolvers = 4, mostValues = std::size_t{1} << 27;
+
+using Kept = std::unique_ptr<StepSolver>;
+
+template<class Key> bool isFull(const std::map<Key, Kept>& solvers) {
+    std::size_t values = 0;
+    for (const auto& [key, solver] : solvers)
+        values += solver->matrix.factorValues();
+    return solvers.size() >= mostSolvers || (solvers.size() >= mostLargeSolvers && values >= mostValues);
+}
 
 template<class Key, class Make>
-StepSolver& knownOrMade(std::map<Key, std::unique_ptr<StepSolver>>& solvers, const Key& key,
-                        const Make& make) {
+StepSolver& knownOrMade(std::map<Key, Kept>& solvers, const Key& key, const Make& make) {
     if (const auto known = solvers.find(key); known != solvers.end()) return *known->second;
-    if (solvers.size() >= mostSolvers) solvers.clear();
+    if (isFull(solvers)) solvers.clear();
     auto solver = std::make_unique<StepSolver>(make());
     return *(solvers[key] = std::move(solver));
 }
