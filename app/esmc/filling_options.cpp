@@ -1,6 +1,7 @@
 #include "app/esmc/filling_options.h"
 
 #include "app/esmc/arguments.h"
+#include "app/esmc/report.h"
 #include "core/solid/filled_body.h"
 #include "core/support/numbers.h"
 
@@ -25,9 +26,12 @@ void declareFilling(CLI::App& command, FillingOptions& options, const std::strin
         ->option_text("M");
 }
 
-LatticeFilling chosenFilling(const TriangleMesh& mesh, const FillingOptions& options) {
-    return {*options.kind,
-            options.spacing ? *options.spacing : spacingFor(mesh, *options.kind, usualLatticeNodes)};
+std::optional<LatticeFilling> chosenFilling(const TriangleMesh& mesh, const FillingOptions& options) {
+    if (!options.kind && options.spacing) throw UsageError("--spacing: say with --fill what fills the organ");
+    if (!options.kind) return std::nullopt;
+    return LatticeFilling{*options.kind, options.spacing
+                                             ? *options.spacing
+                                             : spacingFor(mesh, *options.kind, usualLatticeNodes)};
 }
 
 } // namespace esm

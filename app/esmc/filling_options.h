@@ -19,7 +19,8 @@ struct FillingOptions {
 /// --fill and --spacing. @param without what no filling means
 void declareFilling(CLI::App& command, FillingOptions& options, const std::string& without);
 
-/// Precondition: a kind was given. @throws InvalidModel as estimateLattice() does
-LatticeFilling chosenFilling(const TriangleMesh& mesh, const FillingOptions& options);
+/// Nothing where nothing is to fill it. @throws UsageError for a spacing of nothing; InvalidModel as
+/// estimateLattice() does
+std::optional<LatticeFilling> chosenFilling(const TriangleMesh& mesh, const FillingOptions& options);
 
 } // namespace esm

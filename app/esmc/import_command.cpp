@@ -89,13 +89,11 @@ void declareImport(CLI::App& command, ImportOptions& options) {
 
 /// @throws UsageError, InvalidModel
 Detail detailFor(const ImportOptions& options, const TriangleMesh& mesh) {
-    if (!options.filling.kind) {
-        if (options.filling.spacing) throw UsageError("--spacing: say with --fill what fills the organ");
-        return options.detail;
-    }
+    const auto filling = chosenFilling(mesh, options.filling);
+    if (!filling) return options.detail;
     if (options.detail.kind != Detail::Kind::EveryVertex)
         throw UsageError("--fill and --detail exclude each other: the spacing says how many nodes there are");
-    return {Detail::Kind::Filled, 0, chosenFilling(mesh, options.filling)};
+    return {Detail::Kind::Filled, 0, filling};
 }
 
 /// Says which unit was probably meant; empty when the size (m) is one that organs and bodies have.

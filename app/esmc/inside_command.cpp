@@ -41,12 +41,12 @@ Report estimateReport(const Project& project, const LatticeFilling& filling) {
                           " m: about " + inText(estimate.nodes) + " nodes, " + inText(estimate.springs) +
                           " springs, " + inText(estimate.tetrahedra) + " tetrahedra; filling takes about " +
                           inText(estimate.bytes / 1e6) + " MB of memory");
+    std::vector<std::string> warnings;
+    if (estimate.nodes > mostLatticeNodes)
+        warnings.push_back("more than " + inText(mostLatticeNodes) +
+                           " nodes are refused: choose a wider spacing");
+    addWarnings(report, warnings);
     return report;
-}
-
-Detail wantedInside(const Project& project, const FillingOptions& options) {
-    if (!options.kind) return {};
-    return {Detail::Kind::Filled, 0, chosenFilling(*project.mesh, options)};
 }
 
 Report runInside(const InsideOptions& options, Context& context) {
@@ -54,11 +54,10 @@ Report runInside(const InsideOptions& options, Context& context) {
     std::optional<ProjectOutput> output;
     if (!options.output.empty()) output.emplace(options.output);
     const Project opened = openedProject(options.project, context);
-    const Detail detail = wantedInside(opened, options.filling);
-    if (!output) {
-        if (!detail.filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
-        return estimateReport(opened, *detail.filling);
-    }
+    const auto filling = chosenFilling(*opened.mesh, options.filling);
+    if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
+    if (!output) return estimateReport(opened, *filling);
+    const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : Detail();
     return saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
 }
 

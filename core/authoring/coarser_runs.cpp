@@ -62,7 +62,9 @@ CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<s
 // Each level has a quarter of the nodes of the last, so that edges are about twice as long: levels nearer to
 // each other would cost a measurement each and differ little in error.
 std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, const Progress& progress) {
-    if (detailOf(*project.network).kind == Detail::Kind::Rigid || !scene.splits.empty()) return {};
+    const Detail::Kind kind = detailOf(*project.network).kind;
+    // A hollow organ is another one than a filled.
+    if (kind == Detail::Kind::Rigid || kind == Detail::Kind::Filled || !scene.splits.empty()) return {};
     const auto vertices = recordedVertices(project, scene);
     if (!vertices) return {};
     Project full = project;

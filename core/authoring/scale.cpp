@@ -82,6 +82,12 @@ std::shared_ptr<const Atlas> scaled(const Atlas& atlas, double factor) {
     return result;
 }
 
+/// Of a filled organ, whose lattice is known by its spacing.
+ByValue<MeasuredAccuracy> scaled(MeasuredAccuracy accuracy, double factor) {
+    accuracy.detail.filling->spacing *= factor;
+    return std::make_shared<const MeasuredAccuracy>(std::move(accuracy));
+}
+
 void growMasses(Project& project, double factor) {
     const double cube = factor * factor * factor;
     project.base.mass *= cube;
@@ -101,6 +107,8 @@ Project scaled(const Project& project, double factor, KeptByScaling kept) {
         result.stepping->tissue = tissueDigest(evaluateModel(project));
     result.mesh = scaled(*project.mesh, factor);
     result.network = scaled(*project.network, factor);
+    if (result.accuracy && result.accuracy->detail.filling)
+        result.accuracy = scaled(*project.accuracy, factor);
     for (Region& region : result.regions) {
         scale(region.ellipsoid, factor);
         region.rim *= factor;

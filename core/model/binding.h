@@ -29,8 +29,8 @@ struct BindingRows {
     bool operator==(const BindingRows&) const = default;
 };
 
-/// How fewer nodes than the drawn mesh has vertices carry it: "visible vertices are a subset of the nodes;
-/// simulated and drawn mesh need not be the same".
+/// How other nodes than the drawn mesh's vertices carry it, fewer ones or those of a lattice: "visible
+/// vertices are a subset of the nodes; simulated and drawn mesh need not be the same".
 ///
 /// With p⁰ and p a node's place at rest and now, x⁰ a vertex at rest, and w its nodes' shares, the vertex is
 /// at x = x⁰ + Σ w·((p − p⁰) + (G − 1)·(x⁰ − p⁰)). G says how the surroundings of a node turn and stretch:

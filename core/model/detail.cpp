@@ -1,7 +1,5 @@
 #include "core/model/detail.h"
 
-#include <cmath>
-
 namespace esm {
 
 // The level is read off the network and not stored beside it, so that the two cannot disagree. A binding with
@@ -11,15 +9,6 @@ Detail detailOf(const SpringNetwork& network) {
     if (network.lattice) return {Detail::Kind::Filled, nodes, network.lattice->filling};
     if (!network.binding) return {Detail::Kind::EveryVertex, nodes};
     return {isOnOneLine(*network.binding) ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes};
-}
-
-// The nodes of a body fall with the cube of their distance.
-Detail detailOfNodes(const SpringNetwork& network, std::size_t nodes) {
-    if (!network.lattice) return {Detail::Kind::Nodes, nodes};
-    LatticeFilling filling = network.lattice->filling;
-    filling.spacing *=
-        std::cbrt(static_cast<double>(network.restPositions.size()) / static_cast<double>(nodes));
-    return {Detail::Kind::Filled, nodes, filling};
 }
 
 } // namespace esm

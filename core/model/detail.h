@@ -17,7 +17,7 @@ struct Detail {
         Filled       ///< a lattice of nodes throughout the body [R 3.3.1]
     };
     Kind kind = Kind::EveryVertex;
-    std::size_t nodes = 0;                   ///< wanted, where the kind is Nodes
+    std::size_t nodes = 0; ///< wanted, where the kind is Nodes; else how many there are, or 0
     std::optional<LatticeFilling> filling{}; ///< where the kind is Filled
 
     bool operator==(const Detail&) const = default;
@@ -33,8 +33,5 @@ inline constexpr auto fieldsOf<Detail> = fieldTable(field("kind", &Detail::kind)
 
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);
-
-/// About so many nodes, in the surface or throughout the body, as the network has them.
-Detail detailOfNodes(const SpringNetwork& network, std::size_t nodes);
 
 } // namespace esm

@@ -65,7 +65,13 @@ std::vector<std::uint32_t> surfaceNodes(const Lattice& lattice) {
 std::vector<std::string> validate(const Lattice& lattice, const std::vector<Eigen::Vector3d>& nodes,
                                   std::size_t springCount) {
     std::vector<std::string> problems = fieldProblems(lattice.filling);
-    if (lattice.tetrahedra.empty()) problems.emplace_back("has no tetrahedra");
+    if (lattice.tetrahedra.empty()) return {"has no tetrahedra"};
+    std::vector<char> isCorner(nodes.size(), 0);
+    for (const Tetrahedron& corners : lattice.tetrahedra)
+        for (const std::uint32_t node : corners)
+            if (node < nodes.size()) isCorner[node] = 1;
+    reportOffenders(problems, "lattice node", "of no tetrahedron",
+                    placesWhere(nodes.size(), [&](std::size_t node) { return isCorner[node] == 0; }));
     const auto isMissing = [&](std::uint32_t node) { return node >= nodes.size(); };
     const auto namesMissing = [&](const auto& corners) {
         return std::any_of(corners.begin(), corners.end(), isMissing);

@@ -50,6 +50,9 @@ struct OuterFace {
 std::vector<OuterFace> outerFaces(const std::vector<Tetrahedron>& tetrahedra);
 std::vector<Triangle> outerTriangles(const std::vector<Tetrahedron>& tetrahedra);
 
+/// More than a million nodes have.
+inline constexpr std::size_t mostTetrahedra = 10'000'000;
+
 /// What fills a body, beside the nodes and springs that are the network's. Its nodes at the surface carry
 /// what instruments touch; all of them carry what is drawn.
 struct Lattice {

@@ -23,7 +23,8 @@ inline constexpr auto
     fieldsOf<NodeSelection> = fieldTable(field("nodes", &NodeSelection::nodes).mayBeAbsent(),
                                          field("ellipsoid", &NodeSelection::ellipsoid).whenSet());
 
-/// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1]
+/// Springs that tie every n-th node (0, n, 2n, …) to its rest position: the surrounding tissue. [R 5.1] Of a
+/// filled organ every n-th at the surface, each by the area around it.
 struct TetherRule {
     std::uint32_t every = 3;
     double springConstant = 0; ///< N/m

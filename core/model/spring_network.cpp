@@ -22,7 +22,7 @@ SpringNetwork networkFromMesh(const TriangleMesh& mesh) {
 }
 
 // Vertices are moved by what their nodes moved by, not put where these are: a vertex may lie beside its node.
-// A network with a binding has fewer nodes than vertices, and turns what lies between them as well.
+// By a binding several nodes carry each vertex.
 std::vector<Eigen::Vector3d> drawnPositions(const TriangleMesh& mesh, const SpringNetwork& network,
                                             const std::vector<Eigen::Vector3d>& nodePositions) {
     if (network.binding)

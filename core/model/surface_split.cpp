@@ -30,6 +30,7 @@ public:
     SurfaceSplitter(const Topology& topology, const TissueModel& tissue, const EdgePath& path)
         : m_before(topology), m_tissue(tissue), m_network(*topology.network),
           m_path(verticesAlong(path, m_network.restPositions.size())) {
+        if (m_network.lattice) throw InvalidModel("an organ that is filled cannot be split; make it hollow");
         if (m_network.binding)
             throw InvalidModel(
                 "fewer nodes carry the surface, so that it has no edges to part along; simulate all");

@@ -61,6 +61,12 @@ private:
     Nodes m_order;
 };
 
+Nodes commonOf(Nodes some, const Nodes& sorted) {
+    std::erase_if(
+        some, [&](std::uint32_t node) { return !std::binary_search(sorted.begin(), sorted.end(), node); });
+    return some;
+}
+
 Nodes everyNode(const SpringNetwork& network) {
     Nodes nodes(network.restPositions.size());
     std::iota(nodes.begin(), nodes.end(), 0U);
@@ -69,11 +75,12 @@ Nodes everyNode(const SpringNetwork& network) {
 
 /// The new nodes that lie nearest to a fixed one, and those that a fixed one lies nearest to. The first alone
 /// would leave gaps between where the new nodes are the denser ones; the second alone might fix none where
-/// they are the sparser. What lies within a body is fixed by none of a surface.
+/// they are the sparser. What lies within a body fixes nothing of a surface, nor the other way round.
 Nodes stillFixed(const SpringNetwork& former, const SpringNetwork& present, const PointSearch& afterwards,
-                 const Nodes& fixed, const Progress& progress) {
+                 Nodes fixed, const Progress& progress) {
     if (fixed.empty()) return {};
     ProgressParts parts(progress);
+    if (former.lattice && !present.lattice) fixed = commonOf(fixed, surfaceNodes(*former.lattice));
     Nodes result = afterwards.nearest(former.restPositions, fixed, parts.next(0.5));
     const std::set<std::uint32_t> wasFixed(fixed.begin(), fixed.end());
     const PointSearch formerly(former.restPositions);
@@ -133,6 +140,7 @@ Project withDetail(const Project& project, const Detail& detail, const Progress&
     Project changed = project;
     changed.network = fresh.network;
     changed.stepping.reset();
+    if (project.network->lattice || fresh.network->lattice) changed.accuracy = nullptr;
     if (!isRigid(project) && !isRigid(fresh)) {
         changed.scene = overOtherNodes(project.scene, *project.network, *fresh.network, parts.rest());
     } else if (isRigid(project) != isRigid(fresh)) {

@@ -11,7 +11,7 @@ namespace esm {
 /// and of two led nodes that come to the same place the first is led. Splits are left out, and what names a
 /// node that they make: other nodes have other edges. What becomes rigid, or was, takes the default spring
 /// constant, viscosity and hold of its level, and loses its forces, led nodes and the list of recorded nodes.
-/// How to step it best has to be measured again.
+/// How to step it best has to be measured again, and what was measured of another filling is dropped.
 /// @throws InvalidModel when the surface has no such level of detail; Cancelled
 Project withDetail(const Project& project, const Detail& detail, const Progress& progress = {});
 

@@ -92,7 +92,12 @@ void lay(TissueModel& model, const Region& region, const std::vector<double>& si
     const std::vector<double> weights = nodeWeights(*model.network, region);
     // What is reached with less than the weight of one node gets no more than its share: a rim that hardly
     // touches a single node would else load the whole mass upon it.
-    const double sum = std::max(1.0, std::inner_product(weights.begin(), weights.end(), sizes.begin(), 0.0));
+    double sum = 0, largest = 0;
+    for (std::size_t node = 0; node < weights.size(); ++node) {
+        sum += weights[node] * sizes[node];
+        if (weights[node] > 0) largest = std::max(largest, sizes[node]);
+    }
+    sum = std::max(sum, largest);
     for (std::size_t node = 0; node < weights.size(); ++node) {
         const double weight = weights[node];
         if (weight == 0) continue;

@@ -3,6 +3,8 @@
 #include "core/solid/lattice_elasticity.h"
 #include "core/solid/parallel_nodes.h"
 #include "core/solid/unit_cell.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +15,9 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::Vector3i;
+
+/// Of a box, which take a GB or so; those of a million nodes within the box of an organ are far fewer.
+constexpr double mostSites = 1e8;
 
 /// Unit cells over a box, with one more all around, and the numbers of their sites.
 struct CellGrid {
@@ -26,7 +31,12 @@ struct CellGrid {
         const double edge = spacing * cell.edge;
         // From a corner of the box, so that a block of whole cells is filled as it is.
         origin = box.min() - Vector3d::Constant(edge);
-        counts = (box.sizes() / edge).array().ceil().cast<int>() + 3;
+        const Eigen::Array3d cells = (box.sizes() / edge).array().ceil() + 3;
+        if (cells.prod() * static_cast<double>(cell.sites.size()) > mostSites)
+            throw InvalidModel(
+                "a part of the surface is too long for how thin it is: around it a spacing of " +
+                roundedText(1000 * spacing, 2) + " mm makes too many nodes; leave it out at import");
+        counts = cells.cast<int>();
     }
 
     std::size_t cellCount() const {

@@ -32,7 +32,7 @@ struct BackgroundLattice {
 };
 
 /// @param spacing between nearest neighbours, m
-/// @throws Cancelled
+/// @throws InvalidModel where the box around the body has too many sites; Cancelled
 BackgroundLattice uniformLattice(LatticeKind kind, double spacing, const ClosedBody& body,
                                  const BodyQuery& query, const Progress& progress);
 

@@ -15,12 +15,12 @@ namespace esm {
 
 namespace {
 
-/// A ball's radius; of other bodies a measure of how thick they are, m.
+/// A ball's radius; of other bodies a measure of how thick they are, m: by volume over area, which needs no
+/// directions and tells a plate from a ball of the same width.
 double thickness(const ClosedBody& body) {
     return 3 * body.volume / body.area;
 }
 
-// By volume over area, which needs no directions and tells a plate from a ball of the same width.
 /// A body that is too small for the spacing still gets some three nodes across.
 double spacingWithin(const ClosedBody& body, double spacing) {
     return std::min(spacing, thickness(body) / 1.5);
@@ -35,26 +35,31 @@ const ClosedBody& largestOf(const std::vector<ClosedBody>& bodies) {
                              [](const auto& one, const auto& other) { return one.volume < other.volume; });
 }
 
+std::string inMillimetres(double metres, int digits) {
+    const double shown = 1000 * metres;
+    return (shown < 100 ? roundedText(shown, digits) : roundedText(std::round(shown))) + " mm";
+}
+
 void refuseTooWide(const std::vector<ClosedBody>& bodies, double spacing) {
     const double thick = 2 * thickness(largestOf(bodies));
     if (spacing > thick)
-        throw InvalidModel("a spacing of " + roundedText(spacing, 3) +
-                           " m is wider than the organ, which is about " + roundedText(thick, 3) +
-                           " m thick; choose " + roundedText(thick / 4, 2) + " m or less");
+        throw InvalidModel("a spacing of " + inMillimetres(spacing, 3) +
+                           " is wider than the organ, which is about " + inMillimetres(thick, 3) +
+                           " thick; choose " + inMillimetres(thick / 4, 2) + " or less");
 }
 
 void refuseTooMany(const LatticeEstimate& estimate, const LatticeFilling& filling) {
     if (!(estimate.nodes > mostLatticeNodes)) return;
     const double wider = filling.spacing * std::cbrt(1.1 * estimate.nodes / mostLatticeNodes);
-    throw InvalidModel("a spacing of " + roundedText(filling.spacing, 3) + " m needs about " +
-                       roundedText(estimate.nodes / 1e6, 3) + " million nodes and " +
-                       roundedText(estimate.bytes / 1e9, 2) + " GB of memory; " +
+    throw InvalidModel("a spacing of " + inMillimetres(filling.spacing, 3) + " needs about " +
+                       roundedText(estimate.nodes / 1e6, 4) + " million nodes and " +
+                       roundedText(std::ceil(estimate.bytes / 1e9)) + " GB of memory; " +
                        roundedText(mostLatticeNodes / 1e6, 2) +
-                       " million nodes are the most, at a spacing of some " + roundedText(wider, 2) + " m");
+                       " million nodes are the most, at a spacing of some " + inMillimetres(wider, 2));
 }
 
 /// Nodes that cuts add per spacing² of surface, beyond those that the volume has: measured on eight organs.
-double surfaceNodes(LatticeKind kind) {
+double surfaceNodesPerArea(LatticeKind kind) {
     return kind == LatticeKind::Cubic ? 0.6 : kind == LatticeKind::BodyCentred ? 0.88 : 0.5;
 }
 
@@ -64,7 +69,7 @@ LatticeEstimate estimateOf(const std::vector<ClosedBody>& bodies, const LatticeF
     for (const ClosedBody& body : bodies) {
         const double spacing = spacingWithin(body, filling.spacing);
         within += cell.density() * body.volume / std::pow(spacing, 3);
-        cuts += surfaceNodes(filling.kind) * body.area / (spacing * spacing);
+        cuts += surfaceNodesPerArea(filling.kind) * body.area / (spacing * spacing);
     }
     const auto sites = static_cast<double>(cell.sites.size());
     constexpr double springsPerCut = 3, moreTetrahedra = 1.04, bytesPerNode = 4000; // measured as well
@@ -124,16 +129,18 @@ Fitted fitted(const ClosedBody& body, LatticeKind kind, double spacing, const Pr
 }
 
 /// Finer until something of the body is filled: a thin one may lie between the nodes of the first try.
+/// @throws InvalidModel where that would need too many nodes
 Fitted fittedFinely(const ClosedBody& body, LatticeKind kind, double& spacing, const Progress& progress) {
     ProgressParts parts(progress);
     for (int tries = 0; tries < 4; ++tries) {
+        refuseTooMany(estimateOf({body}, {kind, spacing}), {kind, spacing});
         Fitted result = fitted(body, kind, spacing, parts.nextOfRest(0.9));
         if (!result.lattice.tetrahedra.empty()) return result;
         spacing /= 2;
     }
     throw InvalidModel("a part of the surface is too thin to be filled; leave it out at import, or choose a "
                        "finer spacing than " +
-                       roundedText(16 * spacing, 3) + " m");
+                       inMillimetres(16 * spacing, 3));
 }
 
 /// @param stiffness what a finer lattice's constants are multiplied by, for the same modulus

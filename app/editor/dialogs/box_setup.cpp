@@ -1,6 +1,8 @@
 #include "app/editor/dialogs/box_setup.h"
 
 #include <QAbstractButton>
+#include <QApplication>
+#include <QShortcut>
 
 namespace esm {
 
@@ -11,6 +13,15 @@ void setUpBox(QMessageBox& box, const char* name) {
                                       {QMessageBox::Cancel, QObject::tr("&Cancel")},
                                       {QMessageBox::Ok, QObject::tr("&OK")}})
         if (QAbstractButton* button = box.button(which)) button->setText(text);
+}
+
+void rejectOnEscape(QDialog& dialog) {
+    QObject::connect(new QShortcut(Qt::Key_Escape, &dialog), &QShortcut::activated, &dialog, [&dialog] {
+        if (QWidget* list = QApplication::activePopupWidget())
+            list->close();
+        else
+            dialog.reject();
+    });
 }
 
 } // namespace esm

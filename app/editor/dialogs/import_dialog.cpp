@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/import_dialog.h"
 
+#include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/extent_text.h"
 #include "app/editor/dialogs/import_report.h"
 #include "core/authoring/import_unit.h"
@@ -13,7 +14,6 @@
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QShortcut>
 
 #include <algorithm>
 #include <array>
@@ -93,7 +93,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     column->addLayout(row, 1);
     addButtons(column);
     // The preview and other widgets would keep it for themselves.
-    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
+    rejectOnEscape(*this);
     connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     connect(m_view, &OrganView::drawn, this, [this] {

@@ -1,5 +1,6 @@
 #include "app/editor/dialogs/inside_dialog.h"
 
+#include "app/editor/dialogs/box_setup.h"
 #include "core/project/solid_tissue.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
@@ -8,7 +9,6 @@
 #include "widgets/inputs/refused_numbers.h"
 
 #include <QDialogButtonBox>
-#include <QShortcut>
 #include <QVBoxLayout>
 
 namespace esm {
@@ -91,7 +91,7 @@ InsideDialog::InsideDialog(const Project& project, QWidget* parent)
     column->addLayout(row, 1);
     addButtons(column);
     // The picture and other widgets would keep it for themselves.
-    connect(new QShortcut(Qt::Key_Escape, this), &QShortcut::activated, this, &QDialog::reject);
+    rejectOnEscape(*this);
     connect(&m_finder, &InsideFinder::answered, this, &InsideDialog::takeAnswer);
     const Detail now = detailOf(*project.network);
     m_kind->setCurrentIndex(m_kind->findData(now.filling ? static_cast<int>(now.filling->kind)
@@ -172,12 +172,11 @@ void InsideDialog::chooseKind() {
 }
 
 void InsideDialog::lookAgain() {
-    if (!kind()) return;
-    m_asked = LatticeFilling{*kind(), m_spacing->value().value_or(0)};
+    if (m_isAnswered || !kind()) return;
     m_refusal->clear();
     esm::enable(m_accept, false, {}, tr("The lattice is being made"));
     m_view->setHint(tr("The lattice is being made …"));
-    m_finder.look(*m_asked);
+    m_finder.look({*kind(), m_spacing->value().value_or(0)});
 }
 
 void InsideDialog::takeAnswer() {
@@ -188,7 +187,7 @@ void InsideDialog::takeAnswer() {
         m_refusal->setText(QString::fromStdString(outcome.failure));
         m_counts->clear();
         m_firmness->clear();
-        m_view->setHint({});
+        m_view->setHint(tr("Shown is what there was before"));
         esm::enable(m_accept, false, {}, m_refusal->text());
         return;
     }
@@ -197,7 +196,9 @@ void InsideDialog::takeAnswer() {
 
 void InsideDialog::showFound(const FoundInside& found, bool isDone) {
     if (!m_spacing->value()) m_spacing->setValue(found.filling.spacing);
-    m_firmness->setText(firmnessText(m_project));
+    // Rigid tissue is told by other numbers, which a filled organ does not keep.
+    if (detailOf(*m_project.network).kind != Detail::Kind::Rigid)
+        m_firmness->setText(firmnessText(m_project));
     const QString memory = tr("%1 MB of memory while it is filled")
                                .arg(numberText(std::max(1.0, found.estimate.bytes / 1e6), 2));
     if (!isDone || !found.network) {
@@ -205,6 +206,9 @@ void InsideDialog::showFound(const FoundInside& found, bool isDone) {
             tr("About %1; %2")
                 .arg(countsText(found.estimate.nodes, found.estimate.springs, found.estimate.tetrahedra),
                      memory));
+        esm::enable(m_accept, isDone, tr("Fill the organ; so many nodes are not shown before"),
+                    tr("The lattice is being made"));
+        if (isDone) m_view->setHint(tr("So many nodes are not shown before they are taken"));
         return;
     }
     const SpringNetwork& network = *found.network;
@@ -216,7 +220,6 @@ void InsideDialog::showFound(const FoundInside& found, bool isDone) {
 }
 
 void InsideDialog::showHollow() {
-    m_asked.reset();
     m_refusal->clear();
     m_firmness->clear();
     m_counts->setText(tr("%1 nodes").arg(countText(m_project.mesh->vertices.size())));
@@ -242,7 +245,8 @@ void InsideDialog::showScene(std::shared_ptr<const SpringNetwork> network) {
 }
 
 void InsideDialog::accept() {
-    if (takesAllNumbers(*this)) QDialog::accept();
+    // What was typed until now is taken once it is shown.
+    if (takesAllNumbers(*this) && m_accept->isEnabled()) QDialog::accept();
 }
 
 void InsideDialog::done(int result) {

@@ -43,8 +43,7 @@ private:
 
     const Project m_project;
     InsideFinder m_finder;
-    std::optional<LatticeFilling> m_asked; ///< last; none: hollow
-    bool m_isAnswered = false;             ///< by the user
+    bool m_isAnswered = false; ///< by the user
     OrganView* m_view;
     QComboBox* m_kind;
     NumberField* m_spacing;

@@ -121,7 +121,8 @@ void ActionMaker::makeModelActions() {
         make(tr("&Fix nodes in region"), {}, tr("Hold the nodes inside the selected region in space"));
     a.freeNodes = make(tr("Free &all fixed nodes"), {}, tr("Let every fixed node go"));
     a.chooseDetail = make(tr("&Nodes to simulate…"), {},
-                          tr("Simulate fewer nodes under the full surface, or every vertex"));
+                          tr("Simulate fewer nodes under the full surface, or every vertex; of a solid "
+                             "organ other nodes inside"));
     a.chooseInside = make(tr("&Inside…"), {}, tr("Fill the organ with nodes and springs, or make it hollow"));
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));

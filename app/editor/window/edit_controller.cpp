@@ -21,6 +21,18 @@
 
 namespace esm {
 
+namespace {
+
+/// About so many nodes, in the surface or throughout the body as it is now. @throws InvalidModel
+Detail withNodes(const Project& project, std::size_t nodes) {
+    if (!project.network->lattice) return {Detail::Kind::Nodes, nodes};
+    const LatticeKind kind = project.network->lattice->filling.kind;
+    const double spacing = spacingFor(*project.mesh, kind, static_cast<double>(nodes));
+    return {Detail::Kind::Filled, 0, LatticeFilling{kind, spacing}};
+}
+
+} // namespace
+
 EditController::EditController(QWidget& window, Document& document, Selection& selection, OrganView& view)
     : QObject(&window), m_window(window), m_document(document), m_selection(selection), m_view(view) {}
 
@@ -145,8 +157,10 @@ void EditController::chooseInside() {
     InsideDialog dialog(m_document.project(), &m_window);
     const int answer = ask(m_window, [&] { return dialog.exec(); });
     runLongWork(&m_window, tr("Inside of the organ"), [&](const Progress&) { dialog.stopWork(); });
-    if (answer == QDialog::Accepted)
-        simulate(dialog.detail(), tr("Making the inside"), tr("Choose the inside"));
+    const Detail now = detailOf(*m_document.project().network), chosen = dialog.detail();
+    const bool isAnother = chosen.kind != now.kind || chosen.filling != now.filling;
+    if (answer == QDialog::Accepted && isAnother)
+        simulate(chosen, tr("Making the inside"), tr("Choose the inside"));
 }
 
 /// Of a solid organ by its inside's spacing.
@@ -157,8 +171,10 @@ void EditController::chooseDetail() {
 }
 
 void EditController::simulateNodes(std::size_t nodes) {
-    simulate(detailOfNodes(*m_document.project().network, nodes), tr("Binding the surface to its nodes"),
-             tr("Choose simulated nodes"));
+    attempt(&m_window, tr("The organ cannot be simulated so"), [&] {
+        simulate(withNodes(m_document.project(), nodes), tr("Binding the surface to its nodes"),
+                 tr("Choose simulated nodes"));
+    });
 }
 
 void EditController::simulate(const Detail& detail, const QString& work, const QString& edit) {

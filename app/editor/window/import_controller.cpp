@@ -6,6 +6,8 @@
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
 #include "core/solid/filled_body.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 namespace esm {
 
@@ -25,11 +27,19 @@ ReadSurface readSurface(const std::filesystem::path& file, const Progress& progr
     return read;
 }
 
+/// Times the nodes that were promised: more come of a thin body, whatever the spacing.
+constexpr double mostOfUsual = 5;
+
 /// Of a solid organ with the usual lattice; others are chosen once it stands in the window.
 Detail detailFor(const TriangleMesh& mesh, Detail detail) {
     if (detail.kind != Detail::Kind::Filled) return detail;
     const LatticeKind usual = LatticeFilling().kind;
     detail.filling = LatticeFilling{usual, spacingFor(mesh, usual, usualLatticeNodes)};
+    const double nodes = estimateLattice(mesh, *detail.filling).nodes;
+    if (nodes > mostOfUsual * usualLatticeNodes)
+        throw InvalidModel("what the surface encloses is thin, as a wall is, and would take about " +
+                           roundedText(nodes, 2) +
+                           " nodes to fill; import it hollow, then Model → Inside… shows what fills it");
     return detail;
 }
 

@@ -9,6 +9,9 @@ namespace {
 /// A number that is stepped to comes to rest before so much is computed by it.
 constexpr std::chrono::milliseconds rest{120};
 
+/// More would take seconds and much memory each time that a number is typed.
+constexpr double mostShownNodes = 1e5;
+
 using Worker = LatestWorker<LatticeFilling, InsideFinder::Answer>;
 
 InsideFinder::Answer insideOf(const TriangleMesh& mesh, const Worker::Task& task) {
@@ -17,6 +20,9 @@ InsideFinder::Answer insideOf(const TriangleMesh& mesh, const Worker::Task& task
         found.filling.spacing = spacingFor(mesh, found.filling.kind, usualLatticeNodes);
     found.estimate = estimateLattice(mesh, found.filling);
     task.show(std::make_shared<const FoundInside>(found));
+    const double nodes = found.estimate.nodes;
+    if (nodes > mostShownNodes && nodes <= mostLatticeNodes)
+        return std::make_shared<const FoundInside>(found);
     found.network = std::make_shared<const SpringNetwork>(
         networkOf(mesh, {Detail::Kind::Filled, 0, found.filling}, task.progress()));
     return std::make_shared<const FoundInside>(std::move(found));

@@ -13,7 +13,7 @@ namespace esm {
 struct FoundInside {
     LatticeFilling filling;                       ///< that was asked for, or is usual
     LatticeEstimate estimate{};                   ///< before it is filled
-    std::shared_ptr<const SpringNetwork> network; ///< null until it is filled
+    std::shared_ptr<const SpringNetwork> network; ///< null until it is filled, and of very many nodes
 };
 
 /// Fills an organ on a thread of its own, again whenever that is asked for in another way, so that people see

@@ -12,6 +12,16 @@ namespace esm {
 
 namespace {
 
+/// Whatever their order and whichever corner they begin with.
+bool isSameSurface(std::vector<Triangle> one, std::vector<Triangle> other) {
+    for (std::vector<Triangle>* triangles : {&one, &other}) {
+        for (Triangle& triangle : *triangles)
+            std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        std::sort(triangles->begin(), triangles->end());
+    }
+    return one == other;
+}
+
 class TissueReader {
 public:
     TissueReader(const GltfArrayReader& arrays, int version) : m_arrays(arrays), m_version(version) {}
@@ -148,14 +158,21 @@ void TissueReader::readBinding(const JsonReader& group, SpringNetwork& network, 
 
 void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) const {
     const std::size_t nodes = network.restPositions.size();
-    const std::size_t tetrahedra = countOf(group, "tetrahedronCount"),
-                      triangles = countOf(group, "triangleCount");
+    const auto tetrahedra =
+        static_cast<std::size_t>(group.member("tetrahedronCount").integer(1, mostTetrahedra));
+    const std::size_t triangles = countOf(group, "triangleCount");
     Lattice lattice{
         valueFrom<LatticeFilling>(group), {}, {}, scalars(group, "springShares", network.springs.size())};
     const auto corners = m_arrays.indices(group.member("tetrahedra"), 4 * tetrahedra, nodes);
     for (std::size_t i = 0; i + 3 < corners.size(); i += 4)
         lattice.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
     lattice.surface = trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, nodes));
+    if (m_arrays.foundProblems()) return;
+    if (!isSameSurface(lattice.surface, outerTriangles(lattice.tetrahedra)))
+        group.member("triangles")
+            .addProblem("should be the faces of tetrahedra that have a neighbour on one side alone");
+    if (network.binding && !network.binding->surface.empty())
+        group.addProblem("should stand beside a binding without triangles");
     network.lattice = std::move(lattice);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/project/detail_change.h"
 #include "core/support/errors.h"
+#include "tests/support/solid_surfaces.h"
 #include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +24,19 @@ TEST(CoarserRuns, AreNoneOfWhatMovesRigidlyOrShowsNoVertex) {
     const Project rigid =
         makeProject("ball", {tissue::sphereMesh(3, 0.1), {}}, 0.5, {Detail::Kind::Rigid, 0});
     EXPECT_TRUE(coarserRuns(rigid, rigid.scene).empty());
+}
+
+/// A hollow organ is another one, even where what is recorded are the corners of both.
+TEST(CoarserRuns, AreNoneOfWhatIsFilled) {
+    Project solid = makeProject("block", {test::block({0, 0, 0}, {0.06, 0.04, 0.04}), {}}, 0.5,
+                                {Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Cubic, 0.01}});
+    std::vector<std::uint32_t> corners;
+    for (std::uint32_t node = 0; node < solid.network->restPositions.size(); ++node)
+        for (const Eigen::Vector3d& corner : solid.mesh->vertices)
+            if (solid.network->restPositions[node] == corner) corners.push_back(node);
+    ASSERT_FALSE(corners.empty());
+    solid.scene.record.nodes = corners;
+    EXPECT_TRUE(coarserRuns(solid, solid.scene).empty());
 }
 
 TEST(WithRun, RecommendsItOnItsNodes) {

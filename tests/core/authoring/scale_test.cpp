@@ -27,7 +27,8 @@ Project markedProject() {
 
 // Twice and half as large are exact in binary numbers.
 TEST(Scale, ThereAndBackIsTheSameProject) {
-    for (const Project& project : {markedProject(), boundProject({Detail::Kind::Nodes, 20}), bareProject()})
+    for (const Project& project :
+         {markedProject(), filledProject(), boundProject({Detail::Kind::Nodes, 20}), bareProject()})
         for (const KeptByScaling kept : {KeptByScaling::Mass, KeptByScaling::Density}) {
             expectSameProject(scaled(scaled(project, 2, kept), 0.5, kept), project);
             expectSameProject(scaled(project, 1, kept), project);
@@ -107,6 +108,16 @@ TEST(Scale, KeepsMassOrDensity) {
             EXPECT_EQ(*dense.regions[i].held.mass, 8 * *project.regions[i].held.mass);
         }
     EXPECT_EQ(dense.base.springConstant, project.base.springConstant);
+}
+
+TEST(Scale, KeepsTheFirmnessOfWhatFillsTheOrgan) {
+    const Project filled = filledProject(), large = scaled(filled, 2);
+    EXPECT_EQ(large.network->lattice->filling.spacing, 2 * filled.network->lattice->filling.spacing);
+    const std::vector<SpringValues> before = springValues(evaluateModel(filled)),
+                                    after = springValues(evaluateModel(large));
+    // Of one modulus a lattice's constants grow with its spacing.
+    for (std::size_t i = 0; i < before.size(); ++i)
+        EXPECT_NEAR(after[i].springConstant, 2 * before[i].springConstant, 1e-9 * before[i].springConstant);
 }
 
 TEST(Scale, MarksAMeasuredSteppingAsFromOtherTissue) {

@@ -37,6 +37,17 @@ TEST_F(ModelPackageFile, ALatticeThatIsNoneIsRefused) {
     EXPECT_THAT(refusal("tetrahedra", extension["lattice"]["triangles"]), HasSubstr("lattice.tetrahedra"));
     EXPECT_THAT(refusal("springShares", extension["nodes"]["mass"]), HasSubstr("lattice.springShares"));
     EXPECT_THAT(refusal("triangleCount", 7), HasSubstr("lattice.triangles"));
+    EXPECT_THAT(refusal("tetrahedronCount", 0), HasSubstr("lattice.tetrahedronCount"));
+}
+
+TEST_F(ModelPackageFile, ALatticeWithAnotherSurfaceIsRefused) {
+    exportPackage(filledProject(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    Json& lattice = glb.json["extensions"]["ESM_spring_mass"]["lattice"];
+    lattice["triangleCount"] = 0;
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("lattice.triangles"));
+    EXPECT_THROW(loadPackagedTissue(m_file), FileError);
 }
 
 } // namespace

@@ -65,6 +65,43 @@ TEST(FilledOrgan, IsFixedWhereItsSurfaceWasAndNotWithin) {
         EXPECT_TRUE(solid.network->restPositions[node].z() > -0.005 || fixed.count(node) == 1) << node;
 }
 
+TEST(FilledOrgan, IsFixedNowhereByWhatWasFixedWithinOnceItIsHollow) {
+    Project solid = withDetail(hollowBall(), filledBy(0.006));
+    const std::vector<std::uint32_t> atSurface = surfaceNodes(*solid.network->lattice);
+    const std::set<std::uint32_t> surface(atSurface.begin(), atSurface.end());
+    std::vector<std::uint32_t> within;
+    for (std::uint32_t node = 0; node < solid.network->restPositions.size(); ++node)
+        if (surface.count(node) == 0) within.push_back(node);
+    ASSERT_FALSE(within.empty());
+    solid.scene.fixed = {{within, std::nullopt}};
+    EXPECT_THAT(withDetail(solid, {}).scene.fixed[0].nodes, IsEmpty());
+}
+
+/// Nodes at the surface stand for less of the organ than others do.
+TEST(FilledOrgan, GivesASmallRegionItsWholeMass) {
+    Project solid = withDetail(hollowBall(), filledBy(0.006));
+    Region region;
+    region.ellipsoid = Ellipsoid{{0.1, 0, radius}, {0.008, 0.008, 0.002}, Eigen::Quaterniond::Identity()};
+    region.held.mass = 0.02;
+    solid.regions = {region};
+    const std::vector<double> weights = nodeWeights(*solid.network, region);
+    const std::vector<double> mass = evaluateModel(solid).mass;
+    double reached = 0, sum = 0;
+    for (std::size_t node = 0; node < mass.size(); ++node) {
+        reached += weights[node];
+        sum += weights[node] * mass[node];
+    }
+    ASSERT_GE(reached, 2);
+    EXPECT_NEAR(sum, 0.02, 1e-12);
+}
+
+TEST(FilledOrgan, ForgetsWhatWasMeasuredOfAnotherFilling) {
+    Project hollow = hollowBall();
+    hollow.accuracy = std::make_shared<const MeasuredAccuracy>();
+    EXPECT_FALSE(withDetail(hollow, filledBy(0.008)).accuracy);
+    EXPECT_TRUE(withDetail(hollow, {Detail::Kind::Nodes, 300}).accuracy);
+}
+
 TEST(FilledOrgan, GivesWayToAnInstrumentAtItsSurface) {
     const Project solid = withDetail(hollowBall(), filledBy(0.008));
     Simulation simulation(evaluateModel(solid), {}, touchedSurface(*solid.mesh, *solid.network));

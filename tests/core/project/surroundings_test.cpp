@@ -32,7 +32,9 @@ TEST(Surroundings, HoldABodyAtItsSurfaceAlone) {
     const std::vector<std::uint32_t> atSurface = surfaceNodes(*solid.network->lattice);
     EXPECT_LT(atSurface.size(), solid.network->restPositions.size());
     const std::set<std::uint32_t> surface(atSurface.begin(), atSurface.end());
-    for (const Tether& tether : evaluateModel(solid).tethers)
+    const std::vector<Tether> tethers = evaluateModel(solid).tethers;
+    ASSERT_FALSE(tethers.empty());
+    for (const Tether& tether : tethers)
         EXPECT_EQ(surface.count(tether.node), 1U) << tether.node;
 }
 

@@ -165,7 +165,7 @@ TEST(FilledBody, RefusesWhatCannotBeFilled) {
          {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         EXPECT_THAT(refusal(mesh, {LatticeKind::Cubic, spacing}), HasSubstr("must be above 0 m"));
     EXPECT_THAT(refusal(mesh, {LatticeKind::Cubic, 1}),
-                HasSubstr("a spacing of 1 m is wider than the organ"));
+                HasSubstr("a spacing of 1000 mm is wider than the organ"));
     const std::string tooFine = refusal(mesh, {LatticeKind::BodyCentred, 1e-4});
     EXPECT_THAT(tooFine, HasSubstr("million nodes and"));
     EXPECT_THAT(tooFine, HasSubstr("GB of memory"));

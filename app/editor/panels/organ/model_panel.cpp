@@ -28,6 +28,11 @@ QString carryingText(Detail::Kind kind) {
     return QObject::tr("Every vertex is a node");
 }
 
+QString insideText(const Detail& detail) {
+    if (!detail.filling) return QObject::tr("hollow");
+    return QObject::tr("solid, %1 mm apart").arg(numberText(1000 * detail.filling->spacing, 2));
+}
+
 /// How nodes are fixed where none is, and freed where some are.
 QString fixingText(const TissueModel& model) {
     if (!model.fixedNodes.empty()) return QObject::tr("Model → Free all fixed nodes lets them go.");
@@ -47,6 +52,8 @@ ModelPanel::ModelPanel(Document& document, Preview& preview, QWidget* parent)
     m_nodes = rows->addText(tr("Nodes"), QStringLiteral("nodeCount"));
     m_springs = rows->addText(tr("Springs"), QStringLiteral("springCount"));
     m_vertices = rows->addText(tr("Vertices drawn"), QStringLiteral("vertexCount"));
+    m_inside = rows->addText(tr("Inside"), QStringLiteral("modelInside"));
+    m_inside->setToolTip(tr("Model → Inside… chooses what fills the organ"));
     m_size = rows->addText(tr("Size"), QStringLiteral("modelSize"));
     m_centre = rows->addText(tr("Centre"), QStringLiteral("modelCentre"));
     m_fixed = rows->addText(tr("Fixed nodes"), QStringLiteral("fixedCount"));
@@ -100,6 +107,7 @@ void ModelPanel::showMesh() {
     m_springs->setText(countText(project.network->springs.size()));
     m_vertices->setText(countText(project.mesh->vertices.size()));
     m_vertices->setToolTip(carryingText(detailOf(*project.network).kind));
+    m_inside->setText(insideText(detailOf(*project.network)));
     m_size->setText(millimetres(box.sizes(), QStringLiteral(" × ")));
     m_centre->setText(millimetres(box.center(), QStringLiteral(", ")));
     const QString warnings = [&] {

@@ -22,7 +22,8 @@ private:
 
     Document& m_document;
     Preview& m_preview;
-    QLabel *m_nodes, *m_springs, *m_vertices, *m_size, *m_centre, *m_fixed, *m_totalMass, *m_fixing;
+    QLabel *m_nodes, *m_springs, *m_vertices, *m_inside, *m_size, *m_centre, *m_fixed, *m_totalMass,
+        *m_fixing;
     NumberField* m_baseMass;
 };
 

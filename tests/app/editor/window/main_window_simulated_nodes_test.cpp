@@ -5,6 +5,7 @@
 #include "tests/support/solid_surfaces.h"
 #include "widgets/inputs/number_text.h"
 
+#include <QComboBox>
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
@@ -130,6 +131,17 @@ TEST_F(SimulatedNodesTest, FillABodyAndCanBeTakenBack) {
     window->document().undoStack()->undo();
     EXPECT_EQ(project().network->restPositions.size(), hollow);
     EXPECT_FALSE(project().network->lattice);
+}
+
+TEST_F(SimulatedNodesTest, StayAsTheyAreWhereNothingElseIsChosen) {
+    open(makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}}));
+    script.expectNamed("insideDialog", [](QDialog* dialog) {
+        dialog->findChild<QComboBox*>("insideKind")->setCurrentIndex(0);
+        dialog->findChild<QPushButton*>("insideAccept")->click();
+    });
+    window->windowActions().chooseInside->trigger();
+    EXPECT_TRUE(script.isDone());
+    EXPECT_EQ(window->document().undoStack()->count(), 0);
 }
 
 TEST_F(SimulatedNodesTest, OfferNoInsideWhereThereIsNoSurface) {

@@ -33,6 +33,16 @@ TEST_F(ProjectFile, ALatticeOfTetrahedraThatAreNoneIsRefused) {
     EXPECT_THAT(refusal(1, first[0]), HasSubstr("lattice tetrahedron that is flat"));
 }
 
+/// Nothing is looked up by numbers that could not be checked.
+TEST_F(ProjectFile, ALatticeOverNodesThatAreDamagedIsRefused) {
+    saveChangedOf(filledProject(), project_layout::latticeTetrahedra, [](auto& entries, ZipEntry& entry) {
+        std::fill(entry.content.begin(), entry.content.begin() + 16, std::uint8_t{0xFE});
+        for (ZipEntry& other : entries)
+            if (other.name == project_layout::networkNodes) other.content.pop_back();
+    });
+    EXPECT_THAT(loadingError(), HasSubstr("network/nodes.f64"));
+}
+
 TEST_F(ProjectFile, ALatticeWithoutItsPartsIsRefused) {
     const auto refusal = [&](const char* pointer, const auto& change) {
         changeManifestOf(filledProject(), pointer, change);
