@@ -9,6 +9,7 @@ namespace esm {
 
 void declareFilling(CLI::App& command, FillingOptions& options, const std::string& without) {
     std::vector<std::string> known;
+    known.reserve(wordsOf<LatticeKind>.size() + 1);
     for (const auto& [kind, word] : wordsOf<LatticeKind>)
         known.emplace_back(word);
     known.emplace_back("none");

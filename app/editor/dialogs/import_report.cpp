@@ -4,6 +4,8 @@
 #include "core/support/joined.h"
 #include "widgets/inputs/number_text.h"
 
+#include <QObject>
+
 namespace esm {
 
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/workers/latest_worker.h"
+#include "core/model/spring_network.h"
 #include "core/solid/filled_body.h"
 
 #include <QObject>

@@ -2,7 +2,9 @@
 
 #include "core/exchange/package/glb.h"
 #include "tests/core/exchange/export_package.h"
+#include "tests/core/exchange/overwrite.h"
 #include "tests/core/exchange/rounded_tissue.h"
+#include "tests/support/exchange_projects.h"
 
 #include <gmock/gmock.h>
 
