@@ -5,7 +5,9 @@
 #include "tests/support/solid_surfaces.h"
 
 #include <gtest/gtest.h>
+#include <QAbstractItemView>
 #include <QTest>
+#include <QWindow>
 
 using namespace esm;
 
@@ -94,4 +96,17 @@ TEST(InsideDialog, SaysWhyAnOrganCannotBeFilled) {
     closed.type("10");
     ESM_EVENTUALLY(closed.mayFill());
     EXPECT_TRUE(closed.text("insideRefusal").isEmpty());
+}
+
+TEST(InsideDialog, EscapeClosesItsOpenListFirst) {
+    const ShownInside shown(ball());
+    ESM_EVENTUALLY(shown.mayFill());
+    auto* kind = shown.child<QComboBox>("insideKind");
+    kind->showPopup();
+    ESM_EVENTUALLY(kind->view()->isVisible());
+    QTest::keyClick(shown.dialog.windowHandle(), Qt::Key_Escape); // X11 gives it the keys
+    ESM_EVENTUALLY(!kind->view()->isVisible());
+    EXPECT_TRUE(shown.dialog.isVisible());
+    QTest::keyClick(shown.dialog.windowHandle(), Qt::Key_Escape);
+    ESM_EVENTUALLY(!shown.dialog.isVisible());
 }
