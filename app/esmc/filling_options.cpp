@@ -30,9 +30,7 @@ void declareFilling(CLI::App& command, FillingOptions& options, const std::strin
 std::optional<LatticeFilling> chosenFilling(const TriangleMesh& mesh, const FillingOptions& options) {
     if (!options.kind && options.spacing) throw UsageError("--spacing: say with --fill what fills the organ");
     if (!options.kind) return std::nullopt;
-    return LatticeFilling{*options.kind, options.spacing
-                                             ? *options.spacing
-                                             : spacingFor(mesh, *options.kind, usualLatticeNodes)};
+    return options.spacing ? LatticeFilling{*options.kind, *options.spacing} : fillingOf(mesh, *options.kind);
 }
 
 } // namespace esm

@@ -7,6 +7,9 @@
 #include "core/project/detail_change.h"
 #include "core/solid/filled_body.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -27,6 +30,11 @@ void declareInside(CLI::App& command, InsideOptions& options) {
         ->check(writtenAs(".esm"));
 }
 
+/// Of an absurd spacing no more than can be counted.
+std::size_t whole(double count) {
+    return static_cast<std::size_t>(std::round(std::min(count, 1e18)));
+}
+
 /// What a filling would come to; nothing is filled.
 Report estimateReport(const Project& project, const LatticeFilling& filling) {
     const LatticeEstimate estimate = estimateLattice(*project.mesh, filling);
@@ -37,13 +45,17 @@ Report estimateReport(const Project& project, const LatticeFilling& filling) {
     report.json["springs"] = std::round(estimate.springs);
     report.json["tetrahedra"] = std::round(estimate.tetrahedra);
     report.json["bytes"] = std::round(estimate.bytes);
-    report.text.push_back(std::string(wordOf(filling.kind)) + " lattice, spacing " + inText(filling.spacing) +
-                          " m: about " + inText(estimate.nodes) + " nodes, " + inText(estimate.springs) +
-                          " springs, " + inText(estimate.tetrahedra) + " tetrahedra; filling takes about " +
-                          inText(estimate.bytes / 1e6) + " MB of memory");
+    report.text.push_back(
+        std::string(wordOf(filling.kind)) + " lattice, spacing " + inText(filling.spacing) + " m: about " +
+        counted(whole(estimate.nodes), "node") + ", " + counted(whole(estimate.springs), "spring") + ", " +
+        counted(whole(estimate.tetrahedra), "tetrahedron", "tetrahedra") + "; filling takes about " +
+        std::to_string(whole(estimate.bytes / 1e6)) + " MB of memory");
     std::vector<std::string> warnings;
+    if (estimate.spacing < 0.99 * filling.spacing)
+        warnings.push_back("the organ is too thin for that spacing: neighbours would lie about " +
+                           inText(estimate.spacing) + " m apart");
     if (estimate.nodes > mostLatticeNodes)
-        warnings.push_back("more than " + inText(mostLatticeNodes) +
+        warnings.push_back("more than " + std::to_string(whole(mostLatticeNodes)) +
                            " nodes are refused: choose a wider spacing");
     addWarnings(report, warnings);
     return report;

@@ -85,6 +85,22 @@ std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners) {
     return triangles;
 }
 
+std::vector<std::uint32_t> cornersOf(const std::vector<Tetrahedron>& tetrahedra) {
+    std::vector<std::uint32_t> corners;
+    corners.reserve(4 * tetrahedra.size());
+    for (const Tetrahedron& tetrahedron : tetrahedra)
+        corners.insert(corners.end(), tetrahedron.begin(), tetrahedron.end());
+    return corners;
+}
+
+std::vector<Tetrahedron> tetrahedraOf(const std::vector<std::uint32_t>& corners) {
+    std::vector<Tetrahedron> tetrahedra;
+    tetrahedra.reserve(corners.size() / 4);
+    for (std::size_t i = 0; i < corners.size(); i += 4)
+        tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
+    return tetrahedra;
+}
+
 bool needsStarts(const Binding& binding) {
     const std::vector<std::uint32_t>& starts = binding.vertices.starts;
     return std::adjacent_find(starts.begin(), starts.end(), [](std::uint32_t start, std::uint32_t next) {

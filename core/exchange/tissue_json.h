@@ -37,6 +37,10 @@ template<typename Number> std::vector<Eigen::Vector3d> pointsOf(const std::vecto
 std::vector<std::uint32_t> cornersOf(const std::vector<Triangle>& triangles);
 std::vector<Triangle> trianglesOf(const std::vector<std::uint32_t>& corners);
 
+/// Four corners per tetrahedron in one list, and back.
+std::vector<std::uint32_t> cornersOf(const std::vector<Tetrahedron>& tetrahedra);
+std::vector<Tetrahedron> tetrahedraOf(const std::vector<std::uint32_t>& corners);
+
 /// A binding's vertices and lines as lists, two nodes per line.
 struct BindingNumbers {
     /// Where each vertex's nodes begin, then where the last one's end. Absent where none has more than three,

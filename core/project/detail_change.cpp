@@ -1,5 +1,6 @@
 #include "core/project/detail_change.h"
 
+#include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
 
 #include <algorithm>
@@ -127,31 +128,44 @@ Scene overOtherNodes(Scene scene, const SpringNetwork& former, const SpringNetwo
     return scene;
 }
 
-bool isRigid(const Project& project) {
-    return detailOf(*project.network).kind == Detail::Kind::Rigid;
+bool movesRigidly(const SpringNetwork& network) {
+    return detailOf(network).kind == Detail::Kind::Rigid;
+}
+
+/// Another way to be held and moved, and other tissue.
+void takeDefaults(Project& changed, const Project& fresh) {
+    changed.base = fresh.base;
+    changed.scene.fixed = fresh.scene.fixed;
+    changed.scene.tethers = fresh.scene.tethers;
+    changed.scene.forces.clear();
+    changed.scene.moves.clear();
+    changed.scene.splits.clear();
+    changed.scene.record.nodes.reset();
 }
 
 } // namespace
 
 Project withDetail(const Project& project, const Detail& detail, const Progress& progress) {
     ProgressParts parts(progress);
-    const Project fresh = makeProject(project.name, {*project.mesh, *project.importReport}, project.base.mass,
-                                      detail, parts.next(0.8));
+    reportProgress(progress, 0);
+    auto network = std::make_shared<const SpringNetwork>(networkOf(*project.mesh, detail, parts.next(0.8)));
+    return withNetwork(project, std::move(network), parts.rest());
+}
+
+Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork> network,
+                    const Progress& progress) {
+    reportProgress(progress, 0);
     Project changed = project;
-    changed.network = fresh.network;
+    changed.network = std::move(network);
     changed.stepping.reset();
-    if (project.network->lattice || fresh.network->lattice) changed.accuracy = nullptr;
-    if (!isRigid(project) && !isRigid(fresh)) {
-        changed.scene = overOtherNodes(project.scene, *project.network, *fresh.network, parts.rest());
-    } else if (isRigid(project) != isRigid(fresh)) {
-        changed.base = fresh.base;
+    if (project.network->lattice || changed.network->lattice) changed.accuracy = nullptr;
+    const bool wasRigid = movesRigidly(*project.network), isRigid = movesRigidly(*changed.network);
+    if (!wasRigid && !isRigid) {
+        changed.scene = overOtherNodes(project.scene, *project.network, *changed.network, progress);
+    } else if (wasRigid != isRigid) {
+        takeDefaults(changed, projectOn(changed.network, project.name, {*project.mesh, *project.importReport},
+                                        project.base.mass));
         changed.base.stiffening = project.base.stiffening;
-        changed.scene.fixed = fresh.scene.fixed;
-        changed.scene.tethers = fresh.scene.tethers;
-        changed.scene.forces.clear();
-        changed.scene.moves.clear();
-        changed.scene.splits.clear();
-        changed.scene.record.nodes.reset();
     }
     reportProgress(progress, 1);
     return changed;

@@ -15,4 +15,8 @@ namespace esm {
 /// @throws InvalidModel when the surface has no such level of detail; Cancelled
 Project withDetail(const Project& project, const Detail& detail, const Progress& progress = {});
 
+/// The same on a network of the project's surface that was made already.
+Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork> network,
+                    const Progress& progress = {});
+
 } // namespace esm

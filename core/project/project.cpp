@@ -139,21 +139,29 @@ Project makeProject(std::string name, RepairedMesh surface, std::optional<double
                            roundedText(largestNumber) + " kg, got " + roundedText(*massKilograms));
     ProgressParts parts(progress);
     reportProgress(progress, 0);
+    const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
+    auto network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail, parts.next(0.9)));
+    noteCoarseness(surface.report, detail, network->restPositions.size());
+    Project project = projectOn(std::move(network), std::move(name), std::move(surface), mass);
+    reportProgress(progress, 1);
+    return project;
+}
+
+Project projectOn(std::shared_ptr<const SpringNetwork> network, std::string name, RepairedMesh surface,
+                  double mass) {
     Project project;
     project.name = std::move(name);
-    const double mass = massKilograms ? *massKilograms : defaultMass(surface.mesh, surface.report.isClosed());
-    project.network = std::make_shared<const SpringNetwork>(networkOf(surface.mesh, detail, parts.next(0.9)));
+    project.network = std::move(network);
     project.base = {defaultSpringConstant, defaultViscosity, mass};
-    if (detail.kind == Detail::Kind::Rigid)
+    const Detail::Kind kind = detailOf(*project.network).kind;
+    if (kind == Detail::Kind::Rigid)
         hangOnFixedNodes(project);
-    else if (detail.kind == Detail::Kind::Filled)
+    else if (kind == Detail::Kind::Filled)
         tieToSurroundings(project, networkFromMesh(surface.mesh));
     else if (!project.network->springs.empty())
         tieToSurroundings(project, *project.network);
-    noteCoarseness(surface.report, detail, project.network->restPositions.size());
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
-    reportProgress(progress, 1);
     return project;
 }
 

@@ -88,6 +88,10 @@ Project makeProject(std::string name, RepairedMesh surface,
                     std::optional<double> massKilograms = std::nullopt, const Detail& detail = {},
                     const Progress& progress = {});
 
+/// The same on a network of the surface, with this mass, kg.
+Project projectOn(std::shared_ptr<const SpringNetwork> network, std::string name, RepairedMesh surface,
+                  double mass);
+
 /// What a region reaches. A spring is inside when both its ends are, and in the rim when both are inside or
 /// in the rim, but not both inside.
 struct RegionCount {

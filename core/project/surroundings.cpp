@@ -1,6 +1,9 @@
 #include "core/project/surroundings.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/model/net_elasticity.h"
+
+#include <numeric>
 
 namespace esm {
 
@@ -40,14 +43,8 @@ std::vector<OuterNode> outerNodes(const SpringNetwork& network) {
             outer.push_back({node, 1});
         return outer;
     }
-    std::vector<double> areas(network.restPositions.size(), 0);
-    double area = 0;
-    for (const Triangle& triangle : network.lattice->surface) {
-        const double part = areaNormal(network.restPositions, triangle).norm() / 2;
-        area += part;
-        for (const std::uint32_t node : triangle)
-            areas[node] += part / 3;
-    }
+    const std::vector<double> areas = nodeAreas(network.restPositions, network.lattice->surface);
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (const std::uint32_t node : surfaceNodes(*network.lattice))
         outer.push_back({node, areas[node]});
     for (OuterNode& node : outer)

@@ -75,7 +75,7 @@ LatticeEstimate estimateOf(const std::vector<ClosedBody>& bodies, const LatticeF
     constexpr double springsPerCut = 3, moreTetrahedra = 1.04, bytesPerNode = 4000; // measured as well
     return {within + cuts, within * static_cast<double>(cell.springs.size()) / sites + springsPerCut * cuts,
             moreTetrahedra * within * static_cast<double>(cell.tetrahedra.size()) / sites,
-            bytesPerNode * (within + cuts)};
+            bytesPerNode * (within + cuts), spacingWithin(largestOf(bodies), filling.spacing)};
 }
 
 /// A lattice in one body.
@@ -164,7 +164,7 @@ void append(FilledBody& filled, const Fitted& fitted, double stiffness) {
 
 // Nodes fall with the spacing, by its cube within and by its square at the surface: halving an interval of
 // powers finds it.
-double spacingFor(const TriangleMesh& mesh, LatticeKind kind, double nodes) {
+LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double nodes) {
     const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
     double finer = std::log(1e-3 * thickness(largestOf(bodies))),
            wider = std::log(thickness(largestOf(bodies)) / 1.5);
@@ -174,7 +174,7 @@ double spacingFor(const TriangleMesh& mesh, LatticeKind kind, double nodes) {
     }
     const double spacing = std::exp(wider);
     const double digit = std::pow(10, std::floor(std::log10(spacing)) - 1);
-    return digit * std::floor(spacing / digit);
+    return {kind, digit * std::floor(spacing / digit)};
 }
 
 LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling) {

@@ -20,7 +20,8 @@ struct FilledBody {
 /// What a filling comes to, within a quarter or so.
 struct LatticeEstimate {
     double nodes, springs, tetrahedra;
-    double bytes; ///< of memory while the body is filled
+    double bytes;   ///< of memory while the body is filled
+    double spacing; ///< of the largest body, m: what was asked for, or less where that is thin
 };
 
 /// More nodes than this are refused.
@@ -29,9 +30,9 @@ inline constexpr double mostLatticeNodes = 1e6;
 /// As many show how an organ gives way and still move in real time.
 inline constexpr double usualLatticeNodes = 3000;
 
-/// The spacing, to two digits, at which a lattice has about so many nodes.
+/// A lattice of about so many nodes, its spacing to two digits; of a thin body more.
 /// @throws InvalidModel for a surface that is open, runs through itself or encloses nothing
-double spacingFor(const TriangleMesh& mesh, LatticeKind kind, double nodes);
+LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double nodes = usualLatticeNodes);
 
 /// Before anything is filled.
 /// @throws InvalidModel as fillBody() does, except where there would be too many nodes

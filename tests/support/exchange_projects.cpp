@@ -157,9 +157,8 @@ Project filledProject() {
     Project project = richProject();
     project.layers.clear();
     project.atlas = nullptr;
-    const LatticeFilling filling{LatticeKind::BodyCentred,
-                                 spacingFor(*project.mesh, LatticeKind::BodyCentred, 60)};
-    return withDetail(project, {Detail::Kind::Filled, 0, filling});
+    return withDetail(project,
+                      {Detail::Kind::Filled, 0, fillingOf(*project.mesh, LatticeKind::BodyCentred, 60)});
 }
 
 Project latticeProject() {

@@ -3,6 +3,7 @@
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/extent_text.h"
 #include "app/editor/dialogs/import_report.h"
+#include "app/editor/dialogs/preview_background.h"
 #include "core/authoring/import_unit.h"
 #include "core/model/motion_model.h"
 #include "core/solid/filled_body.h"
@@ -305,12 +306,7 @@ void ImportDialog::showPreview(const RenderScene& preview) {
     };
     const bool isElsewhere = !boxOf(preview).isApprox(boxOf(m_view->scene()), 0.05);
     RenderScene scene = preview;
-    const QColor background = palette().color(QPalette::Base);
-    for (std::size_t i = 0; i < 3; ++i)
-        scene.backgroundTop[i] = scene.backgroundBottom[i] =
-            static_cast<std::uint8_t>(i == 0   ? background.red()
-                                      : i == 1 ? background.green()
-                                               : background.blue());
+    setBackground(scene, *this);
     m_view->setScene(std::move(scene));
     if (isElsewhere) m_view->frameOrgan();
 }

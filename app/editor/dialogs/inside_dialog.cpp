@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/inside_dialog.h"
 
 #include "app/editor/dialogs/box_setup.h"
+#include "app/editor/dialogs/preview_background.h"
 #include "core/project/solid_tissue.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
@@ -62,11 +63,22 @@ QString countsText(double nodes, double springs, double tetrahedra) {
         .arg(count(nodes), count(springs), count(tetrahedra));
 }
 
-QString firmnessText(const Project& project) {
+QString firmnessText(const Project& project, LatticeKind kind) {
     const double modulus = youngsModulusOfWall(project.base.springConstant, wallThickness);
-    return QObject::tr("%1 N/m of the whole organ are then tissue of %2 kPa (Young's modulus; Poisson's "
-                       "ratio is ¼), however fine the lattice is.")
-        .arg(numberText(project.base.springConstant), numberText(modulus / 1000, 3));
+    const QString text =
+        kind == LatticeKind::BareDiamond
+            ? QObject::tr("%1 N/m of the whole organ then resist being pressed together as tissue of %2 kPa "
+                          "does (Young's modulus), however fine the lattice is, and shear not at all.")
+            : QObject::tr("%1 N/m of the whole organ are then tissue of %2 kPa (Young's modulus; Poisson's "
+                          "ratio is ¼), however fine the lattice is.");
+    return text.arg(numberText(project.base.springConstant), numberText(modulus / 1000, 3));
+}
+
+/// Where the organ leaves no room for what was asked; empty else.
+QString finerText(const FoundInside& found) {
+    if (found.estimate.spacing > 0.99 * found.filling.spacing) return {};
+    return QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
+        .arg(numberText(1000 * found.estimate.spacing, 2));
 }
 
 } // namespace
@@ -161,6 +173,11 @@ Detail InsideDialog::detail() const {
     return {Detail::Kind::Filled, 0, LatticeFilling{*kind(), m_spacing->value().value_or(0)}};
 }
 
+std::shared_ptr<const SpringNetwork> InsideDialog::network() const {
+    const std::shared_ptr<const SpringNetwork> shown = m_view->scene().network;
+    return detailOf(*shown).filling == detail().filling ? shown : nullptr;
+}
+
 void InsideDialog::chooseKind() {
     m_about->setText(aboutText(kind()));
     enable(m_spacing, kind().has_value(),
@@ -198,7 +215,8 @@ void InsideDialog::showFound(const FoundInside& found, bool isDone) {
     if (!m_spacing->value()) m_spacing->setValue(found.filling.spacing);
     // Rigid tissue is told by other numbers, which a filled organ does not keep.
     if (detailOf(*m_project.network).kind != Detail::Kind::Rigid)
-        m_firmness->setText(firmnessText(m_project));
+        m_firmness->setText(firmnessText(m_project, found.filling.kind));
+    m_refusal->setText(finerText(found));
     const QString memory = tr("%1 MB of memory while it is filled")
                                .arg(numberText(std::max(1.0, found.estimate.bytes / 1e6), 2));
     if (!isDone || !found.network) {
@@ -235,10 +253,7 @@ void InsideDialog::showScene(std::shared_ptr<const SpringNetwork> network) {
     state.springs = true;
     state.cut = Cut{CutSide::Front, 0.5};
     showParts(scene, state, m_view->camera());
-    const QColor background = palette().color(QPalette::Base);
-    scene.backgroundTop = scene.backgroundBottom = {static_cast<std::uint8_t>(background.red()),
-                                                    static_cast<std::uint8_t>(background.green()),
-                                                    static_cast<std::uint8_t>(background.blue())};
+    setBackground(scene, *this);
     m_view->setScene(std::move(scene));
     m_view->setHint(tr("Cut through the middle · drag to turn · the wheel comes nearer"));
     if (isFirst) m_view->showView(StandardView::Front);

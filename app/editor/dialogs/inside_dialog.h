@@ -24,6 +24,8 @@ public:
 
     /// Every vertex a node, or filled.
     Detail detail() const;
+    /// Null where so many nodes were not made yet.
+    std::shared_ptr<const SpringNetwork> network() const;
     /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered.
     void stopWork() { m_finder.stop(); }
     /// Not while a number in it is refused.

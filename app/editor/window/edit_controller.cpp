@@ -24,11 +24,10 @@ namespace esm {
 namespace {
 
 /// About so many nodes, in the surface or throughout the body as it is now. @throws InvalidModel
-Detail withNodes(const Project& project, std::size_t nodes) {
+Detail ofNodes(const Project& project, std::size_t nodes) {
     if (!project.network->lattice) return {Detail::Kind::Nodes, nodes};
     const LatticeKind kind = project.network->lattice->filling.kind;
-    const double spacing = spacingFor(*project.mesh, kind, static_cast<double>(nodes));
-    return {Detail::Kind::Filled, 0, LatticeFilling{kind, spacing}};
+    return {Detail::Kind::Filled, 0, fillingOf(*project.mesh, kind, static_cast<double>(nodes))};
 }
 
 } // namespace
@@ -159,8 +158,13 @@ void EditController::chooseInside() {
     runLongWork(&m_window, tr("Inside of the organ"), [&](const Progress&) { dialog.stopWork(); });
     const Detail now = detailOf(*m_document.project().network), chosen = dialog.detail();
     const bool isAnother = chosen.kind != now.kind || chosen.filling != now.filling;
-    if (answer == QDialog::Accepted && isAnother)
-        simulate(chosen, tr("Making the inside"), tr("Choose the inside"));
+    if (answer != QDialog::Accepted || !isAnother) return;
+    const auto made = dialog.network();
+    simulate(
+        [made, chosen](const Project& project, const Progress& progress) {
+            return made ? withNetwork(project, made, progress) : withDetail(project, chosen, progress);
+        },
+        tr("Making the inside"), tr("Choose the inside"));
 }
 
 /// Of a solid organ by its inside's spacing.
@@ -171,18 +175,19 @@ void EditController::chooseDetail() {
 }
 
 void EditController::simulateNodes(std::size_t nodes) {
-    attempt(&m_window, tr("The organ cannot be simulated so"), [&] {
-        simulate(withNodes(m_document.project(), nodes), tr("Binding the surface to its nodes"),
-                 tr("Choose simulated nodes"));
-    });
+    simulate(
+        [nodes](const Project& project, const Progress& progress) {
+            return withDetail(project, ofNodes(project, nodes), progress);
+        },
+        tr("Binding the surface to its nodes"), tr("Choose simulated nodes"));
 }
 
-void EditController::simulate(const Detail& detail, const QString& work, const QString& edit) {
+void EditController::simulate(const Simulating& change, const QString& work, const QString& edit) {
     if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     attempt(&m_window, tr("The organ cannot be simulated so"), [&] {
         const Project project = m_document.project();
         const Project changed = computeLong(
-            &m_window, work, [&](const Progress& progress) { return withDetail(project, detail, progress); },
+            &m_window, work, [&](const Progress& progress) { return change(project, progress); },
             Cancelling::Offered);
         m_document.edit(edit, [&](Project& edited) { takeSimulated(edited, changed); });
     });

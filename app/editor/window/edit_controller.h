@@ -6,6 +6,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 namespace esm {
 
 struct Actions;
@@ -37,7 +39,8 @@ private:
     void freeNodes();
     void chooseDetail();
     void chooseInside();
-    void simulate(const Detail& detail, const QString& work, const QString& edit);
+    using Simulating = std::function<Project(const Project&, const Progress&)>;
+    void simulate(const Simulating& change, const QString& work, const QString& edit);
     std::optional<std::size_t> askForNodes();
     void enable(const Actions& actions);
 

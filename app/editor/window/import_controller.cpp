@@ -9,6 +9,8 @@
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -33,13 +35,13 @@ constexpr double mostOfUsual = 5;
 /// Of a solid organ with the usual lattice; others are chosen once it stands in the window.
 Detail detailFor(const TriangleMesh& mesh, Detail detail) {
     if (detail.kind != Detail::Kind::Filled) return detail;
-    const LatticeKind usual = LatticeFilling().kind;
-    detail.filling = LatticeFilling{usual, spacingFor(mesh, usual, usualLatticeNodes)};
+    detail.filling = fillingOf(mesh, LatticeFilling().kind);
     const double nodes = estimateLattice(mesh, *detail.filling).nodes;
     if (nodes > mostOfUsual * usualLatticeNodes)
-        throw InvalidModel("what the surface encloses is thin, as a wall is, and would take about " +
-                           roundedText(nodes, 2) +
-                           " nodes to fill; import it hollow, then Model → Inside… shows what fills it");
+        throw InvalidModel(
+            "what the surface encloses is thin, as a wall is, and would take about " +
+            roundedText(std::round(nodes / 1000)) +
+            " thousand nodes to fill; import it hollow, then Model → Inside… shows what fills it");
     return detail;
 }
 

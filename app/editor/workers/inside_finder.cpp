@@ -6,18 +6,14 @@ namespace esm {
 
 namespace {
 
-/// A number that is stepped to comes to rest before so much is computed by it.
 constexpr std::chrono::milliseconds rest{120};
 
 /// More would take seconds and much memory each time that a number is typed.
 constexpr double mostShownNodes = 1e5;
 
-using Worker = LatestWorker<LatticeFilling, InsideFinder::Answer>;
-
-InsideFinder::Answer insideOf(const TriangleMesh& mesh, const Worker::Task& task) {
+InsideFinder::Answer insideOf(const TriangleMesh& mesh, const InsideFinder::Worker::Task& task) {
     FoundInside found{task.question, {}, nullptr};
-    if (found.filling.spacing == 0)
-        found.filling.spacing = spacingFor(mesh, found.filling.kind, usualLatticeNodes);
+    if (found.filling.spacing == 0) found.filling = fillingOf(mesh, found.filling.kind);
     found.estimate = estimateLattice(mesh, found.filling);
     task.show(std::make_shared<const FoundInside>(found));
     const double nodes = found.estimate.nodes;
@@ -31,9 +27,7 @@ InsideFinder::Answer insideOf(const TriangleMesh& mesh, const Worker::Task& task
 } // namespace
 
 InsideFinder::InsideFinder(std::shared_ptr<const TriangleMesh> mesh, QObject* parent)
-    : QObject(parent),
-      m_worker(std::make_unique<Worker>(
-          [mesh = std::move(mesh)](const Worker::Task& task) { return insideOf(*mesh, task); },
-          [this] { emit answered(); }, WorkerHabits{0, rest})) {}
+    : DialogWorker([mesh = std::move(mesh)](const Worker::Task& task) { return insideOf(*mesh, task); }, rest,
+                   parent) {}
 
 } // namespace esm

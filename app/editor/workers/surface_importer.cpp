@@ -4,7 +4,6 @@ namespace esm {
 
 namespace {
 
-/// A number that is stepped to comes to rest before so much is computed by it.
 constexpr std::chrono::milliseconds settling{40};
 
 /// Looks at a soup, and not again where only unit or axis are others. Of the worker's thread alone.
@@ -33,9 +32,8 @@ private:
 
 SurfaceImporter::SurfaceImporter(std::shared_ptr<const PolygonSoup> soup,
                                  std::shared_ptr<const ImportedSurface> found, QObject* parent)
-    : QObject(parent), m_worker(std::make_unique<LatestWorker<ImportQuestion, Answer>>(
-                           [reader = std::make_shared<SoupReader>(std::move(soup), std::move(found))](
-                               const auto& task) { return reader->answer(task.question, task.progress()); },
-                           [this] { emit answered(); }, WorkerHabits{0, settling})) {}
+    : DialogWorker([reader = std::make_shared<SoupReader>(std::move(soup), std::move(found))](
+                       const auto& task) { return reader->answer(task.question, task.progress()); },
+                   settling, parent) {}
 
 } // namespace esm

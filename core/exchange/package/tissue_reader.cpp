@@ -163,9 +163,7 @@ void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) 
     const std::size_t triangles = countOf(group, "triangleCount");
     Lattice lattice{
         valueFrom<LatticeFilling>(group), {}, {}, scalars(group, "springShares", network.springs.size())};
-    const auto corners = m_arrays.indices(group.member("tetrahedra"), 4 * tetrahedra, nodes);
-    for (std::size_t i = 0; i + 3 < corners.size(); i += 4)
-        lattice.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
+    lattice.tetrahedra = tetrahedraOf(m_arrays.indices(group.member("tetrahedra"), 4 * tetrahedra, nodes));
     lattice.surface = trianglesOf(m_arrays.indices(group.member("triangles"), 3 * triangles, nodes));
     if (m_arrays.foundProblems()) return;
     if (!isSameSurface(lattice.surface, outerTriangles(lattice.tetrahedra)))

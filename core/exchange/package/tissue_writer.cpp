@@ -96,12 +96,9 @@ Json TissueWriter::binding() {
 
 Json TissueWriter::lattice() {
     const Lattice& lattice = *m_network.lattice;
-    std::vector<std::uint32_t> corners;
-    for (const Tetrahedron& tetrahedron : lattice.tetrahedra)
-        corners.insert(corners.end(), tetrahedron.begin(), tetrahedron.end());
     Json json = writtenFields(lattice.filling);
     json["tetrahedronCount"] = lattice.tetrahedra.size();
-    json["tetrahedra"] = m_arrays.addIndices(corners);
+    json["tetrahedra"] = m_arrays.addIndices(cornersOf(lattice.tetrahedra));
     json["springShares"] = addScalars(lattice.springShares, "share of spring");
     json["triangleCount"] = lattice.surface.size();
     json["triangles"] = m_arrays.addIndices(cornersOf(lattice.surface));

@@ -38,9 +38,7 @@ Lattice readLattice(const LatticeFilling& filling, const JsonReader& arrays, Con
                     std::size_t nodes) {
     Lattice lattice{filling, {}, {}, source.numbers(arrays, layout::latticeSpringShares, 1)};
     arrays.member(layout::latticeTetrahedra).integer(0, 4 * mostTetrahedra);
-    const std::vector<std::uint32_t> corners = source.indices(arrays, layout::latticeTetrahedra, 4, nodes);
-    for (std::size_t i = 0; i < corners.size(); i += 4)
-        lattice.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
+    lattice.tetrahedra = tetrahedraOf(source.indices(arrays, layout::latticeTetrahedra, 4, nodes));
     // Of numbers that were refused none is looked up: they may be of any size.
     if (!source.foundProblems()) lattice.surface = outerTriangles(lattice.tetrahedra);
     return lattice;

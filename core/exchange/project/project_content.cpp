@@ -112,16 +112,9 @@ void addBinding(const Network& network, Arrays& arrays) {
                [](const SpringNetwork& n) { return numbersOf(*n.binding).lines; });
 }
 
-std::vector<std::uint32_t> tetrahedronCorners(const SpringNetwork& network) {
-    std::vector<std::uint32_t> corners;
-    for (const Tetrahedron& tetrahedron : network.lattice->tetrahedra)
-        corners.insert(corners.end(), tetrahedron.begin(), tetrahedron.end());
-    return corners;
-}
-
 void addLattice(const Network& network, Arrays& arrays) {
     arrays.add(layout::latticeTetrahedra, network, 4 * network->lattice->tetrahedra.size(),
-               tetrahedronCorners);
+               [](const SpringNetwork& n) { return cornersOf(n.lattice->tetrahedra); });
     arrays.add(layout::latticeSpringShares, network, network->lattice->springShares.size(),
                [](const SpringNetwork& n) { return n.lattice->springShares; });
 }
