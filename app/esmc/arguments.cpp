@@ -212,6 +212,13 @@ CLI::Validator oneOf(const std::vector<std::string>& values) {
     return CLI::Validator(check, "");
 }
 
+CLI::Option* addSpringsChoice(CLI::App& command, bool& isEven) {
+    return addChoice(
+        command, "--springs", isEven, {{"even", true}, {"alike", false}},
+        "even: each spring takes the share of its tissue's constant with which the surface is as "
+        "firm however it is meshed; alike: each takes it as it is");
+}
+
 void addDampingOption(CLI::App& command, Damping& damping) {
     addChoice(command, "--damping", damping, {{"isotropic", Damping::Isotropic}, {"axial", Damping::Axial}},
               "Motion that viscosity damps: isotropic (all of it, the default) or axial (along the springs)");

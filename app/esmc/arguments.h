@@ -103,6 +103,9 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, Value& chosen
     return addChoice(command, name, chosen, words, description);
 }
 
+/// --springs: whether a surface's springs make an even sheet.
+CLI::Option* addSpringsChoice(CLI::App& command, bool& isEven);
+
 /// --damping: what the springs' viscosity damps.
 void addDampingOption(CLI::App& command, Damping& damping);
 

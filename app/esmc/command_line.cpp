@@ -35,6 +35,7 @@ void describe(CLI::App& app, Context& context) {
     addTissueCommand(app, context);
     addScaleCommand(app, context);
     addInsideCommand(app, context);
+    addSheetCommand(app, context);
     addSceneCommand(app, context);
     addSimulateCommand(app, context);
     addStabilityCommand(app, context);

@@ -13,6 +13,7 @@ void addFuzzyCommands(CLI::App& app, Context& context);
 void addTissueCommand(CLI::App& app, Context& context);
 void addScaleCommand(CLI::App& app, Context& context);
 void addInsideCommand(CLI::App& app, Context& context);
+void addSheetCommand(CLI::App& app, Context& context);
 void addSceneCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);

@@ -21,6 +21,7 @@ struct ImportOptions {
     std::optional<double> mass; // kg; from the surface without
     UpAxis up = UpAxis::Y;
     Detail detail;
+    bool isEven = true;
     FillingOptions filling;
 };
 
@@ -84,13 +85,18 @@ void declareImport(CLI::App& command, ImportOptions& options) {
             "as "
             "one stiff piece (default: every vertex is a node)")
         ->option_text("N|rigid");
+    addSpringsChoice(command, options.isEven);
     declareFilling(command, options.filling, "without it the organ is hollow, its surface alone has springs");
 }
 
 /// @throws UsageError, InvalidModel
 Detail detailFor(const ImportOptions& options, const TriangleMesh& mesh) {
     const auto filling = chosenFilling(mesh, options.filling);
-    if (!filling) return options.detail;
+    if (!filling) {
+        Detail detail = options.detail;
+        detail.isEven = options.isEven;
+        return detail;
+    }
     if (options.detail.kind != Detail::Kind::EveryVertex)
         throw UsageError("--fill and --detail exclude each other: the spacing says how many nodes there are");
     return {Detail::Kind::Filled, 0, filling};

@@ -69,7 +69,7 @@ Report runInside(const InsideOptions& options, Context& context) {
     const auto filling = chosenFilling(*opened.mesh, options.filling);
     if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
     if (!output) return estimateReport(opened, *filling);
-    const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : Detail();
+    const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : hollowDetail(opened);
     return saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
 }
 

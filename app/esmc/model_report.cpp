@@ -86,6 +86,8 @@ void addRepairs(Report& report, const RepairReport& repairs) {
 void addDetail(Report& report, const TriangleMesh& mesh, const SpringNetwork& network) {
     const std::string drawn = counted(mesh.vertices.size(), "drawn vertex", "drawn vertices");
     report.json["vertices"] = mesh.vertices.size();
+    report.json["even_sheet"] = network.sheet.has_value();
+    if (network.sheet) report.text.emplace_back("springs: shares of an even sheet");
     switch (const Detail detail = detailOf(network); detail.kind) {
     case Detail::Kind::EveryVertex:
         report.json["detail"] = Json();

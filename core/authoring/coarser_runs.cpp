@@ -73,7 +73,7 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
     std::vector<CoarserRun> runs;
     std::size_t last = full.network->restPositions.size();
     for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
-        const Detail detail{Detail::Kind::Nodes, nodes};
+        const Detail detail{Detail::Kind::Nodes, nodes, {}, full.network->sheet.has_value()};
         const Project fewer = withDetail(full, detail, parts.nextOfRest(0.75));
         // A surface of many parts may have no fewer.
         if (fewer.network->restPositions.size() >= last) break;

@@ -7,8 +7,9 @@ namespace esm {
 Detail detailOf(const SpringNetwork& network) {
     const std::size_t nodes = network.restPositions.size();
     if (network.lattice) return {Detail::Kind::Filled, nodes, network.lattice->filling};
-    if (!network.binding) return {Detail::Kind::EveryVertex, nodes};
-    return {isOnOneLine(*network.binding) ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes};
+    const bool isEven = network.sheet.has_value();
+    if (!network.binding) return {Detail::Kind::EveryVertex, nodes, {}, isEven};
+    return {isOnOneLine(*network.binding) ? Detail::Kind::Rigid : Detail::Kind::Nodes, nodes, {}, isEven};
 }
 
 } // namespace esm

@@ -19,6 +19,7 @@ struct Detail {
     Kind kind = Kind::EveryVertex;
     std::size_t nodes = 0; ///< wanted, where the kind is Nodes; else how many there are, or 0
     std::optional<LatticeFilling> filling{}; ///< where the kind is Filled
+    bool isEven = false; ///< whether springs of a surface make an even sheet, see `SheetShares`
 
     bool operator==(const Detail&) const = default;
 };
@@ -29,7 +30,8 @@ inline constexpr auto wordsOf<Detail::Kind> =
 template<>
 inline constexpr auto fieldsOf<Detail> = fieldTable(field("kind", &Detail::kind),
                                                     field("nodes", &Detail::nodes),
-                                                    field("filling", &Detail::filling).whenSet());
+                                                    field("filling", &Detail::filling).whenSet(),
+                                                    field("evenSheet", &Detail::isEven).whenSet());
 
 /// The level of detail that a network has, with the number of its nodes.
 Detail detailOf(const SpringNetwork& network);

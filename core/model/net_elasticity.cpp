@@ -5,7 +5,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 
@@ -213,6 +215,26 @@ constexpr VirtualPull formPull{4, 0.25, 16, 1, 1.5, 3};
 // balance, over more nodes, as nodes of uneven nets shift together over some distance.
 constexpr VirtualPull levelPull{10, 0.08, 40, 1, 0, 0};
 
+/// Of the mean area that nodes have which have any.
+constexpr double leastArea = 0.3;
+
+double sumOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+/// Areas of nodes as shares whose mean is 1.
+std::vector<double> overMean(std::vector<double> areas) {
+    const auto without = static_cast<double>(std::count(areas.begin(), areas.end(), 0.0));
+    const auto count = static_cast<double>(areas.size());
+    const double mean = sumOf(areas) / (count - without);
+    for (double& area : areas)
+        area = area > 0 ? std::max(area / mean, leastArea) : 1;
+    const double scale = count / sumOf(areas);
+    for (double& area : areas)
+        area *= scale;
+    return areas;
+}
+
 } // namespace
 
 // Three springs a node are too few to make every place of a mesh an even sheet, and single springs need not
@@ -221,11 +243,16 @@ constexpr VirtualPull levelPull{10, 0.08, 40, 1, 0, 0};
 // rule is the one to begin with because it keeps Poisson's ratio at 1/3 where a mesh is uneven; equal
 // constants, and a least-squares fit of balance and stiffness at each node, do not (docs/net-elasticity.md).
 std::vector<double> netFactors(const std::vector<Eigen::Vector3d>& nodes, const std::vector<Spring>& springs,
-                               const std::vector<Triangle>& triangles) {
+                               const std::vector<Triangle>& triangles, const Progress& progress) {
+    constexpr std::array pulls{formPull, formPull, formPull, formPull, levelPull};
+    ProgressParts parts(progress);
+    reportProgress(progress, 0);
     const SurfaceNet net = surfaceNet(nodes, springs, triangles);
     std::vector<double> factors = areaRule(net);
-    for (const VirtualPull& pull : {formPull, formPull, formPull, formPull, levelPull})
+    for (const VirtualPull& pull : pulls) {
         correct(factors, net, pull);
+        reportProgress(parts.next(1.0 / pulls.size()), 1);
+    }
     std::vector<double> result(springs.size(), 1);
     for (std::size_t i = 0; i < factors.size(); ++i)
         result[net.springs[i].number] = factors[i];
@@ -239,6 +266,11 @@ std::vector<double> nodeAreas(const std::vector<Eigen::Vector3d>& nodes,
         for (const std::uint32_t corner : triangle)
             areas[corner] += areaNormal(nodes, triangle).norm() / 6;
     return areas;
+}
+
+SheetShares sheetShares(const std::vector<Eigen::Vector3d>& nodes, const std::vector<Spring>& springs,
+                        const std::vector<Triangle>& triangles, const Progress& progress) {
+    return {netFactors(nodes, springs, triangles, progress), overMean(nodeAreas(nodes, triangles))};
 }
 
 } // namespace esm

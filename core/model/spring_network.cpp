@@ -67,6 +67,9 @@ std::vector<std::string> carryingProblems(const TriangleMesh& mesh, const Spring
         addUnder(problems, "the lattice",
                  validate(*network.lattice, network.restPositions, network.springs.size()));
     }
+    if (network.sheet)
+        addUnder(problems, "the sheet",
+                 validate(*network.sheet, network.springs.size(), network.restPositions.size()));
     if (!network.binding) return problems;
     for (std::string& problem :
          validate(*network.binding, mesh.vertices.size(), network.restPositions.size()))

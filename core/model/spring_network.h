@@ -2,6 +2,7 @@
 
 #include "core/model/binding.h"
 #include "core/model/lattice.h"
+#include "core/model/sheet_shares.h"
 
 #include <cstdint>
 #include <optional>
@@ -21,6 +22,7 @@ struct SpringNetwork {
     std::vector<std::uint32_t> vertexNodes; ///< the node that carries most of each vertex of the drawn mesh
     std::optional<Binding> binding;         ///< none: each drawn vertex keeps its place at its node
     std::optional<Lattice> lattice{};       ///< of what fills the body; its nodes carry all by the binding
+    std::optional<SheetShares> sheet{};     ///< of a surface whose springs make an even sheet
 };
 
 /// Edges become springs, vertices nodes [R 2.3.7]; node i is vertex i.

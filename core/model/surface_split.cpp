@@ -112,6 +112,7 @@ private:
             tissue.viscosity.push_back(m_tissue.viscosity[node]);
             tissue.mass.push_back(share * m_tissue.mass[node]);
             tissue.mass[node] -= tissue.mass.back();
+            if (network.sheet) partShare(network.sheet->nodes, node, share);
             if (std::binary_search(m_tissue.fixedNodes.begin(), m_tissue.fixedNodes.end(), node))
                 tissue.fixedNodes.push_back(twin);
         }
@@ -123,6 +124,11 @@ private:
             tissue.tethers.push_back({twin, share * springConstant, share * viscosity});
             tissue.tethers[i] = {node, (1 - share) * springConstant, (1 - share) * viscosity};
         }
+    }
+
+    static void partShare(std::vector<double>& nodes, std::uint32_t node, double share) {
+        nodes.push_back(share * nodes[node]);
+        nodes[node] -= nodes.back();
     }
 
     std::uint32_t rightOf(std::uint32_t node) const {
@@ -163,8 +169,14 @@ private:
             values = {values.springConstant / 2, values.viscosity / 2};
             const SpringValues half = values;
             tissue.ownValues.push_back(half);
+            if (network.sheet) halveShare(network.sheet->springs, i);
             network.springs.push_back({rightOf(spring.first), rightOf(spring.second), spring.restLength});
         }
+    }
+
+    static void halveShare(std::vector<double>& springs, std::size_t spring) {
+        springs[spring] /= 2;
+        springs.push_back(double(springs[spring]));
     }
 
     /// Each vertex that is drawn at a parted node becomes two where triangles of both sides meet at it.

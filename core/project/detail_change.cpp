@@ -145,6 +145,10 @@ void takeDefaults(Project& changed, const Project& fresh) {
 
 } // namespace
 
+Detail hollowDetail(const Project& project) {
+    return {Detail::Kind::EveryVertex, 0, {}, project.network->sheet || project.network->lattice};
+}
+
 Project withDetail(const Project& project, const Detail& detail, const Progress& progress) {
     ProgressParts parts(progress);
     reportProgress(progress, 0);

@@ -19,4 +19,8 @@ Project withDetail(const Project& project, const Detail& detail, const Progress&
 Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork> network,
                     const Progress& progress = {});
 
+/// The hollow organ with a node for every vertex: an even sheet, unless it is hollow now and its springs all
+/// have their tissue's constant.
+Detail hollowDetail(const Project& project);
+
 } // namespace esm

@@ -1,8 +1,8 @@
 #include "core/project/project.h"
 
 #include "core/model/motion_model.h"
+#include "core/project/shared_tissue.h"
 #include "core/project/simulated_network.h"
-#include "core/project/solid_tissue.h"
 #include "core/project/surroundings.h"
 #include "core/project/tissue_beneath.h"
 #include "core/support/errors.h"
@@ -200,7 +200,7 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     model.stiffening = project.base.stiffening;
     for (const Region& region : project.regions)
         lay(model, region, sizes);
-    model.ownValues = latticeValues(model);
+    model.ownValues = sharedValues(model);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
     return model;

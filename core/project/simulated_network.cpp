@@ -1,6 +1,7 @@
 #include "core/project/simulated_network.h"
 
 #include "core/model/motion_model.h"
+#include "core/model/net_elasticity.h"
 #include "core/solid/lattice_binding.h"
 #include "core/support/errors.h"
 #include "core/surface/simplify.h"
@@ -43,9 +44,7 @@ SpringNetwork filledNetwork(const TriangleMesh& mesh, const LatticeFilling& fill
     return network;
 }
 
-} // namespace
-
-SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress) {
+SpringNetwork networkOfKind(const TriangleMesh& mesh, const Detail& detail, const Progress& progress) {
     switch (detail.kind) {
     case Detail::Kind::Nodes:
         return coarserNetwork(mesh, detail.nodes, progress);
@@ -57,6 +56,25 @@ SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Pr
         break;
     }
     return networkFromMesh(mesh);
+}
+
+} // namespace
+
+SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress) {
+    const bool isSurface = detail.kind == Detail::Kind::EveryVertex || detail.kind == Detail::Kind::Nodes;
+    if (!detail.isEven || !isSurface) return networkOfKind(mesh, detail, progress);
+    ProgressParts parts(progress);
+    SpringNetwork network = networkOfKind(mesh, detail, parts.next(0.6));
+    network.sheet = evenSheetOf(mesh, network, parts.rest());
+    return network;
+}
+
+std::optional<SheetShares> evenSheetOf(const TriangleMesh& mesh, const SpringNetwork& network,
+                                       const Progress& progress) {
+    const std::vector<Triangle> surface = simulatedSurface(mesh, network);
+    const bool isRigid = detailOf(network).kind == Detail::Kind::Rigid;
+    if (network.lattice || isRigid || surface.empty()) return std::nullopt;
+    return sheetShares(network.restPositions, network.springs, surface, progress);
 }
 
 } // namespace esm

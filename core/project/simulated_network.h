@@ -11,4 +11,9 @@ namespace esm {
 /// does; Cancelled
 SpringNetwork networkOf(const TriangleMesh& mesh, const Detail& detail, const Progress& progress = {});
 
+/// What makes an even sheet of a surface's network; nothing for what is filled or rigid, or has no triangles.
+/// @throws Cancelled
+std::optional<SheetShares> evenSheetOf(const TriangleMesh& mesh, const SpringNetwork& network,
+                                       const Progress& progress = {});
+
 } // namespace esm

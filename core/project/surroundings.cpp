@@ -40,7 +40,7 @@ std::vector<OuterNode> outerNodes(const SpringNetwork& network) {
     std::vector<OuterNode> outer;
     if (!network.lattice) {
         for (std::uint32_t node = 0; node < network.restPositions.size(); ++node)
-            outer.push_back({node, 1});
+            outer.push_back({node, network.sheet ? network.sheet->nodes[node] : 1});
         return outer;
     }
     const std::vector<double> areas = nodeAreas(network.restPositions, network.lattice->surface);

@@ -12,8 +12,8 @@ struct OuterNode {
     std::uint32_t node;
     double size;
 };
-/// In order: all nodes of a surface, each as much as any other; of a lattice those at its surface, by a third
-/// of the area around them.
+/// In order: all nodes of a surface, each as much as any other, or of an even sheet by its area; of a lattice
+/// those at its surface, by a third of the area around them.
 std::vector<OuterNode> outerNodes(const SpringNetwork& network);
 
 /// The tethers of a rule: at the first node that they can hold and at each `every`-th after it, each as

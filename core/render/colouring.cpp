@@ -63,10 +63,13 @@ std::vector<double> meansAtNodes(const SpringNetwork& network, const std::vector
 
 ShownValues tissueValues(const TissueModel& tissue, double SpringValues::*value,
                          const std::vector<double>& ofNodes) {
+    // How tissue is shared out is the mesh's affair: what regions say of it is shown.
+    const bool isShared = tissue.network->sheet || tissue.network->lattice;
+    if (isShared || tissue.ownValues.empty()) return {meansOfEnds(*tissue.network, ofNodes), ofNodes};
     ShownValues shown;
     for (const SpringValues& spring : springValues(tissue))
         shown.springs.push_back(spring.*value);
-    shown.nodes = tissue.ownValues.empty() ? ofNodes : meansAtNodes(*tissue.network, shown.springs);
+    shown.nodes = meansAtNodes(*tissue.network, shown.springs);
     return shown;
 }
 

@@ -18,7 +18,7 @@ COMMANDS = {
     "import cube.obj": {"mesh": FILE, "-o": TO_PROJECT, "--unit": ["inch", "0", "MM", ""], "--weld": AMOUNT,
                         "--keep": ["some", "1", ""], "--mass": POSITIVE + ["1e-31"], "--up": ["w", "-y", "1", ""],
                         "--close": AMOUNT, "--fill-holes": WHOLE + ["1", "2", "-3", "501"],
-                        "--fill": ["foam", ""], "--spacing": POSITIVE,
+                        "--fill": ["foam", ""], "--spacing": POSITIVE, "--springs": ["some", ""],
                         "--detail": ["3", "-5", "half", "2.5", "99999999999", ""]},
     "sample tube": {"name": ["spleen", ""], "-o": TO_PROJECT},
     "sample vessels": {"name": ["spleen", ""], "-o": ["-", "out.esm", ""]},
@@ -38,6 +38,7 @@ COMMANDS = {
     "scale organ.esm": {"project": FILE, "-o": TO_PROJECT, "--factor": POSITIVE, "--keep": ["volume", ""],
                         "--points": ["x", "1 2 3", "0 0 0 0 0 0", "nan 0 0 1 1 1", ""], "--length": POSITIVE},
     "inside organ.esm --fill cubic": {"project": FILE, "-o": TO_PROJECT, "--fill": ["foam", "Cubic", ""], "--spacing": POSITIVE},
+    "sheet organ.esm --springs even": {"project": FILE, "-o": TO_PROJECT, "--springs": ["some", "Even", ""]},
     "scene organ.esm --scene scene.json": {"project": FILE, "--scene": FILE, "-o": TO_PROJECT},
     "simulate organ.esm --scene scene.json": {
         "model": FILE, "--scene": FILE, "-o": ["-", "out.esm", ""], "--integrator": ["leapfrog", "EULER", ""],

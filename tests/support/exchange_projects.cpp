@@ -161,6 +161,13 @@ Project filledProject() {
                       {Detail::Kind::Filled, 0, fillingOf(*project.mesh, LatticeKind::BodyCentred, 60)});
 }
 
+Project sheetProject() {
+    Project project = richProject();
+    project.layers.clear();
+    project.atlas = nullptr;
+    return withDetail(project, {Detail::Kind::EveryVertex, 0, {}, true});
+}
+
 Project latticeProject() {
     Project project = richProject();
     const Eigen::AlignedBox3d box = boundingBox(project.mesh->vertices);

@@ -52,6 +52,13 @@ void expectSameLattice(const Lattice& a, const Lattice& b) {
     EXPECT_TRUE(sameList(a.springShares, b.springShares, sameBits));
 }
 
+void expectSameSheet(const std::optional<SheetShares>& a, const std::optional<SheetShares>& b) {
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (!a) return;
+    EXPECT_TRUE(sameList(a->springs, b->springs, sameBits));
+    EXPECT_TRUE(sameList(a->nodes, b->nodes, sameBits));
+}
+
 void expectSameMesh(const Project& a, const Project& b) {
     EXPECT_TRUE(sameList(a.mesh->vertices, b.mesh->vertices, sameMatrix<Eigen::Vector3d>));
     EXPECT_EQ(a.mesh->triangles, b.mesh->triangles);
@@ -62,6 +69,7 @@ void expectSameMesh(const Project& a, const Project& b) {
     }));
     EXPECT_EQ(a.network->vertexNodes, b.network->vertexNodes);
     expectSameBinding(a.network->binding, b.network->binding);
+    expectSameSheet(a.network->sheet, b.network->sheet);
     ASSERT_EQ(a.network->lattice.has_value(), b.network->lattice.has_value());
     if (a.network->lattice) expectSameLattice(*a.network->lattice, *b.network->lattice);
     forEachField(fieldsOf<RepairReport>, [&](const auto& field) {

@@ -2,7 +2,8 @@
 
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/preview_background.h"
-#include "core/project/solid_tissue.h"
+#include "core/project/detail_change.h"
+#include "core/project/shared_tissue.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
 #include "widgets/inputs/enabling.h"
@@ -169,12 +170,13 @@ std::optional<LatticeKind> InsideDialog::kind() const {
 }
 
 Detail InsideDialog::detail() const {
-    if (!kind()) return {};
+    if (!kind()) return hollowDetail(m_project);
     return {Detail::Kind::Filled, 0, LatticeFilling{*kind(), m_spacing->value().value_or(0)}};
 }
 
 std::shared_ptr<const SpringNetwork> InsideDialog::network() const {
     const std::shared_ptr<const SpringNetwork> shown = m_view->scene().network;
+    if (!kind()) return nullptr;
     return detailOf(*shown).filling == detail().filling ? shown : nullptr;
 }
 

@@ -124,6 +124,11 @@ void ActionMaker::makeModelActions() {
                           tr("Simulate fewer nodes under the full surface, or every vertex; of a solid "
                              "organ other nodes inside"));
     a.chooseInside = make(tr("&Inside…"), {}, tr("Fill the organ with nodes and springs, or make it hollow"));
+    a.evenSheet =
+        make(tr("&Even sheet"), {},
+             tr("Share the tissue out over the springs so that the surface is as firm however it is "
+                "meshed; off, every spring has its tissue's constant"));
+    a.evenSheet->setCheckable(true);
     a.addPhoto =
         make(tr("Add &photo…"), QKeySequence("Ctrl+P"), tr("Lay a photo on the organ, from the camera"));
     a.addPaint = make(tr("Add pain&t layer"), QKeySequence("Ctrl+L"),

@@ -26,7 +26,7 @@ struct Actions {
     QAction *frame, *frameSelection, *orthographic, *endoscopeLight, *cut, *lookFromWithin, *lookThroughPhoto;
     QAction *showLeft, *showRight, *fuzzyWindow, *referenceWindow, *lightTheme;
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
-    QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail, *chooseInside;
+    QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail, *chooseInside, *evenSheet;
     QAction *addPhoto, *addPaint, *fromCamera;
     QAction *play, *playScene, *reset, *letGo;
     QAction *about, *keys, *firstSteps;

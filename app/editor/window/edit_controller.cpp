@@ -10,6 +10,7 @@
 #include "app/editor/edits/starting_system.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/shortcuts.h"
+#include "core/authoring/even_sheet.h"
 #include "core/authoring/layers.h"
 #include "core/authoring/regions.h"
 #include "core/model/gentle_pull.h"
@@ -25,7 +26,8 @@ namespace {
 
 /// About so many nodes, in the surface or throughout the body as it is now. @throws InvalidModel
 Detail ofNodes(const Project& project, std::size_t nodes) {
-    if (!project.network->lattice) return {Detail::Kind::Nodes, nodes};
+    if (!project.network->lattice)
+        return {Detail::Kind::Nodes, nodes, {}, project.network->sheet.has_value()};
     const LatticeKind kind = project.network->lattice->filling.kind;
     return {Detail::Kind::Filled, 0, fillingOf(*project.mesh, kind, static_cast<double>(nodes))};
 }
@@ -45,6 +47,7 @@ void EditController::connectActions(const Actions& actions) {
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
     connect(actions.chooseDetail, &QAction::triggered, this, &EditController::chooseDetail);
     connect(actions.chooseInside, &QAction::triggered, this, &EditController::chooseInside);
+    connect(actions.evenSheet, &QAction::triggered, this, &EditController::makeEvenSheet);
     connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
     const auto update = [this, actions] { enable(actions); };
     connect(&m_document, &Document::changed, this, update);
@@ -77,6 +80,9 @@ void EditController::enable(const Actions& actions) {
           tr("This model has no surface that fewer nodes could carry"));
     allow(actions.chooseInside, !project.mesh->triangles.empty(),
           tr("This model has no surface that could be filled"));
+    allow(actions.evenSheet, canBeEvenSheet(project),
+          tr("The organ is no surface of springs: it is solid or rigid"));
+    actions.evenSheet->setChecked(project.network->sheet.has_value());
     const bool splits = !project.scene.splits.empty();
     allow(actions.playScene, hasLoads(project.scene) && !splits,
           splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
@@ -159,6 +165,7 @@ void EditController::chooseInside() {
     const Detail now = detailOf(*m_document.project().network), chosen = dialog.detail();
     const bool isAnother = chosen.kind != now.kind || chosen.filling != now.filling;
     if (answer != QDialog::Accepted || !isAnother) return;
+    if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     const auto made = dialog.network();
     simulate(
         [made, chosen](const Project& project, const Progress& progress) {
@@ -174,7 +181,14 @@ void EditController::chooseDetail() {
     if (const auto nodes = askForNodes(); nodes && *nodes != now) simulateNodes(*nodes);
 }
 
+void EditController::makeEvenSheet(bool isEven) {
+    simulate([isEven](const Project& project,
+                      const Progress& progress) { return withEvenSheet(project, isEven, progress); },
+             tr("Sharing the tissue out"), isEven ? tr("Even sheet") : tr("No even sheet"));
+}
+
 void EditController::simulateNodes(std::size_t nodes) {
+    if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     simulate(
         [nodes](const Project& project, const Progress& progress) {
             return withDetail(project, ofNodes(project, nodes), progress);
@@ -183,7 +197,6 @@ void EditController::simulateNodes(std::size_t nodes) {
 }
 
 void EditController::simulate(const Simulating& change, const QString& work, const QString& edit) {
-    if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     attempt(&m_window, tr("The organ cannot be simulated so"), [&] {
         const Project project = m_document.project();
         const Project changed = computeLong(

@@ -39,6 +39,7 @@ private:
     void freeNodes();
     void chooseDetail();
     void chooseInside();
+    void makeEvenSheet(bool isEven);
     using Simulating = std::function<Project(const Project&, const Progress&)>;
     void simulate(const Simulating& change, const QString& work, const QString& edit);
     std::optional<std::size_t> askForNodes();

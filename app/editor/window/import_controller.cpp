@@ -34,6 +34,7 @@ constexpr double mostOfUsual = 5;
 
 /// Of a solid organ with the usual lattice; others are chosen once it stands in the window.
 Detail detailFor(const TriangleMesh& mesh, Detail detail) {
+    detail.isEven = true;
     if (detail.kind != Detail::Kind::Filled) return detail;
     detail.filling = fillingOf(mesh, LatticeFilling().kind);
     const double nodes = estimateLattice(mesh, *detail.filling).nodes;

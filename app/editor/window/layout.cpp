@@ -97,7 +97,7 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
 
     QMenu* model = bar->addMenu(QObject::tr("&Model"));
-    model->addActions({a.addRegion, a.fixRegion, a.freeNodes, a.chooseDetail, a.chooseInside});
+    model->addActions({a.addRegion, a.fixRegion, a.freeNodes, a.chooseDetail, a.chooseInside, a.evenSheet});
     model->addSeparator();
     model->addActions({a.addPhoto, a.addPaint, a.fromCamera});
 

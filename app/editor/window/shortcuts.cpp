@@ -120,6 +120,7 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
                                           {"freeNodes", a.freeNodes},
                                           {"chooseDetail", a.chooseDetail},
                                           {"chooseInside", a.chooseInside},
+                                          {"evenSheet", a.evenSheet},
                                           {"addPhoto", a.addPhoto},
                                           {"addPaint", a.addPaint},
                                           {"fromCamera", a.fromCamera}});

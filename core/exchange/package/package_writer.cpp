@@ -121,6 +121,7 @@ Json PackageBuilder::extension() {
     json["fixedNodes"] = m_tissue.fixedNodes();
     json["surface"] = surface();
     if (isBound()) json["binding"] = m_tissue.binding();
+    if (m_network.sheet) json["sheet"] = m_tissue.sheet();
     if (m_network.lattice) json["lattice"] = m_tissue.lattice();
     json["base"] = writtenFields(project.base);
     json["fuzzySystems"] = std::move(regions.systems);

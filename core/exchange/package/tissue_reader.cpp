@@ -44,6 +44,7 @@ private:
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
     BindingNumbers readRows(const JsonReader& group, std::size_t nodes, std::size_t vertices) const;
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
+    void readSheet(const JsonReader& group, SpringNetwork& network) const;
     void readLattice(const JsonReader& group, SpringNetwork& network) const;
     void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
@@ -156,6 +157,11 @@ void TissueReader::readBinding(const JsonReader& group, SpringNetwork& network, 
     network.binding = bindingOf(numbers, trianglesOf(corners));
 }
 
+void TissueReader::readSheet(const JsonReader& group, SpringNetwork& network) const {
+    network.sheet = SheetShares{scalars(group, "springShares", network.springs.size()),
+                                scalars(group, "nodeShares", network.restPositions.size())};
+}
+
 void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) const {
     const std::size_t nodes = network.restPositions.size();
     const auto tetrahedra =
@@ -194,6 +200,7 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
     readSurface(surface, *network, package.mesh);
     if (extension.has("binding"))
         readBinding(extension.member("binding"), *network, countOf(surface, "vertexCount"));
+    if (extension.has("sheet")) readSheet(extension.member("sheet"), *network);
     if (extension.has("lattice")) readLattice(extension.member("lattice"), *network);
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     return package;

@@ -94,6 +94,11 @@ Json TissueWriter::binding() {
     return json;
 }
 
+Json TissueWriter::sheet() {
+    return {{"springShares", addScalars(m_network.sheet->springs, "share of spring")},
+            {"nodeShares", addScalars(m_network.sheet->nodes, "share of node")}};
+}
+
 Json TissueWriter::lattice() {
     const Lattice& lattice = *m_network.lattice;
     Json json = writtenFields(lattice.filling);

@@ -23,6 +23,8 @@ public:
     nlohmann::ordered_json fixedNodes();
     /// Precondition: the network has a binding.
     nlohmann::ordered_json binding();
+    /// Precondition: the network has a sheet.
+    nlohmann::ordered_json sheet();
     /// Precondition: the network has a lattice.
     nlohmann::ordered_json lattice();
 

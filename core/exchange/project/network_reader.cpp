@@ -58,6 +58,9 @@ std::shared_ptr<const SpringNetwork> networkFrom(const JsonReader& manifest, Con
         network->springs.push_back({ends[2 * i], ends[2 * i + 1], restLengths[i]});
     network->vertexNodes = source.indices(arrays, layout::networkVertexNodes, 1, nodes);
     if (arrays.has(layout::bindingNodes)) network->binding = readBinding(arrays, source, nodes);
+    if (arrays.has(layout::sheetSpringShares))
+        network->sheet = SheetShares{source.numbers(arrays, layout::sheetSpringShares, 1),
+                                     source.numbers(arrays, layout::sheetNodeShares, 1)};
     if (manifest.has("lattice"))
         network->lattice =
             readLattice(valueFrom<LatticeFilling>(manifest.member("lattice")), arrays, source, nodes);
@@ -65,9 +68,11 @@ std::shared_ptr<const SpringNetwork> networkFrom(const JsonReader& manifest, Con
 }
 
 const std::vector<std::string> networkEntries{
-    layout::networkNodes,  layout::networkSprings,    layout::networkRestLengths, layout::networkVertexNodes,
-    layout::bindingStarts, layout::bindingNodes,      layout::bindingShares,      layout::bindingSurface,
-    layout::bindingLines,  layout::latticeTetrahedra, layout::latticeSpringShares};
+    layout::networkNodes,       layout::networkSprings,      layout::networkRestLengths,
+    layout::networkVertexNodes, layout::bindingStarts,       layout::bindingNodes,
+    layout::bindingShares,      layout::bindingSurface,      layout::bindingLines,
+    layout::latticeTetrahedra,  layout::latticeSpringShares, layout::sheetSpringShares,
+    layout::sheetNodeShares};
 
 } // namespace
 

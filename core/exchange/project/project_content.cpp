@@ -119,6 +119,13 @@ void addLattice(const Network& network, Arrays& arrays) {
                [](const SpringNetwork& n) { return n.lattice->springShares; });
 }
 
+void addSheet(const Network& network, Arrays& arrays) {
+    arrays.add(layout::sheetSpringShares, network, network->sheet->springs.size(),
+               [](const SpringNetwork& n) { return n.sheet->springs; });
+    arrays.add(layout::sheetNodeShares, network, network->sheet->nodes.size(),
+               [](const SpringNetwork& n) { return n.sheet->nodes; });
+}
+
 Json addAtlas(const std::shared_ptr<const Atlas>& atlas, Arrays& arrays) {
     arrays.add(layout::atlasCorners, atlas, 6 * atlas->corners.size(),
                [](const Atlas& a) { return numbersOf(a.corners); });
@@ -187,6 +194,7 @@ ProjectContent contentOf(const Project& project) {
     addNetwork(project.network, arrays);
     if (project.network->binding) addBinding(project.network, arrays);
     if (project.network->lattice) addLattice(project.network, arrays);
+    if (project.network->sheet) addSheet(project.network, arrays);
     RegionsJson regions = toJson(project.regions, project.spareSystems);
     Json texture = writtenFields(project.texture.atlas);
     texture.update(writtenFields(project.texture));

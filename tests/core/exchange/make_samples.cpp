@@ -168,6 +168,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-11-pressure", pressedProject()},
             {"version-11-own-layout", ownLayoutProject()},
             {"version-12-filled", filledProject()},
+            {"version-13-even-sheet", sheetProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -186,6 +187,7 @@ void writeSamples(const std::filesystem::path& folder) {
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
     exportPackage(filledProject(), folder / "packages" / "version-8-filled.glb");
+    exportPackage(sheetProject(), folder / "packages" / "version-6-even-sheet.glb");
     exportPackage(ownLayoutProject(), folder / "packages" / "version-7-own-layout.glb");
     exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
     exportPackage(shiningProject(), folder / "packages" / "version-1-finish.glb");

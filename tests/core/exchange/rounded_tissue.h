@@ -40,12 +40,19 @@ inline void expectSameLattice(const Lattice& package, const Lattice& project) {
     EXPECT_EQ(package.springShares, rounded(project.springShares));
 }
 
+inline void expectSameSheet(const SheetShares& package, const SheetShares& project) {
+    EXPECT_EQ(package.springs, rounded(project.springs));
+    EXPECT_EQ(package.nodes, rounded(project.nodes));
+}
+
 /// A package holds a project's tissue in 32-bit numbers.
 inline void expectSameTissue(const TissueModel& package, const TissueModel& project) {
     EXPECT_EQ(package.network->restPositions, rounded(project.network->restPositions));
     EXPECT_EQ(package.network->vertexNodes, project.network->vertexNodes);
     ASSERT_EQ(package.network->binding.has_value(), project.network->binding.has_value());
     if (project.network->binding) expectSameBinding(*package.network->binding, *project.network->binding);
+    ASSERT_EQ(package.network->sheet.has_value(), project.network->sheet.has_value());
+    if (project.network->sheet) expectSameSheet(*package.network->sheet, *project.network->sheet);
     ASSERT_EQ(package.network->lattice.has_value(), project.network->lattice.has_value());
     if (project.network->lattice) expectSameLattice(*package.network->lattice, *project.network->lattice);
     ASSERT_EQ(package.network->springs.size(), project.network->springs.size());

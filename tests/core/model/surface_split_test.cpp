@@ -1,6 +1,7 @@
 #include "core/model/surface_split.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/model/net_elasticity.h"
 #include "core/support/errors.h"
 #include "tests/support/split_tissue.h"
 
@@ -115,6 +116,22 @@ TEST(SurfaceSplit, KeepsMassAndStiffness) {
         EXPECT_NEAR(viscosityAfter, viscosityBefore, 1e-12 * viscosityBefore);
         EXPECT_TRUE(hasOwnValues(split.tissue));
     }
+}
+
+TEST(SurfaceSplit, PartsTheSharesOfAnEvenSheet) {
+    Sheet sheet = grid();
+    auto network = std::make_shared<SpringNetwork>(*sheet.topology.network);
+    network->sheet = sheetShares(network->restPositions, network->springs, sheet.topology.surface->triangles);
+    sheet.topology.network = sheet.tissue.network = network;
+    for (const double share : network->sheet->springs)
+        sheet.tissue.ownValues.push_back({12 * share, 3 * share});
+    const SplitTissue split = splitSheet(sheet, pathAlong({2, 7, 12, 17, 22}));
+    expectSound(split);
+    const SheetShares& shares = *split.topology.network->sheet;
+    EXPECT_NEAR(sum(shares.nodes), sum(network->sheet->nodes), 1e-12);
+    EXPECT_NEAR(shares.nodes[25], split.parted[0].twinShare * network->sheet->nodes[2], 1e-15);
+    for (std::size_t i = 0; i < shares.springs.size(); ++i)
+        EXPECT_NEAR(split.tissue.ownValues[i].springConstant, 12 * shares.springs[i], 1e-12) << i;
 }
 
 TEST(SurfaceSplit, SharesMassAndTethersByTheAreaAtRest) {

@@ -152,7 +152,8 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(sensitive), 10);
     adjusted.adjustment.hue = 5;
     EXPECT_EQ(versionWith(adjusted), 11);
-    EXPECT_EQ(version(filledProject()), projectFileVersion);
+    EXPECT_EQ(version(filledProject()), 12);
+    EXPECT_EQ(version(sheetProject()), projectFileVersion);
     Project pressed = paintedProject();
     for (TextureLayer& layer : pressed.layers)
         for (auto& stroke : layer.strokes) {

@@ -1,4 +1,4 @@
-#include "core/project/solid_tissue.h"
+#include "core/project/shared_tissue.h"
 
 #include "core/project/project.h"
 #include "core/project/simulated_network.h"
@@ -46,7 +46,7 @@ TEST(SolidTissue, IsAsFirmHoweverFineItsLatticeIs) {
             const TissueModel model = evenTissue({kind, spacing});
             for (const Eigen::Vector3d& direction :
                  {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 2, 3).normalized()})
-                EXPECT_NEAR(stretchingEnergy(model, latticeValues(model), direction, 1e-3) /
+                EXPECT_NEAR(stretchingEnergy(model, sharedValues(model), direction, 1e-3) /
                                 (0.6 * modulus * 1e-6 * volume),
                             1, 0.05)
                     << wordOf(kind) << spacing;
@@ -56,7 +56,7 @@ TEST(SolidTissue, IsAsFirmHoweverFineItsLatticeIs) {
 TEST(SolidTissue, RelaxesAsFastHoweverFineItsLatticeIs) {
     for (const double spacing : {0.01, 0.004}) {
         const TissueModel model = evenTissue({LatticeKind::BodyCentred, spacing});
-        const std::vector<SpringValues> values = latticeValues(model);
+        const std::vector<SpringValues> values = sharedValues(model);
         ASSERT_EQ(values.size(), model.network->springs.size());
         for (const SpringValues& spring : values)
             EXPECT_NEAR(spring.viscosity / spring.springConstant, 0.5 / 12.5, 1e-12);
@@ -66,7 +66,7 @@ TEST(SolidTissue, RelaxesAsFastHoweverFineItsLatticeIs) {
 TEST(SolidTissue, OfABareDiamondLatticeResistsCompressionAsTheOthersDo) {
     const TissueModel model = evenTissue({LatticeKind::BareDiamond, 0.004});
     double energy = 0;
-    const std::vector<SpringValues> values = latticeValues(model);
+    const std::vector<SpringValues> values = sharedValues(model);
     for (std::size_t i = 0; i < values.size(); ++i)
         energy += values[i].springConstant * std::pow(1e-3 * model.network->springs[i].restLength, 2) / 2;
     // Squeezed evenly from all sides, 9·K·ε²/2 for each m³; K = 2E/3.
