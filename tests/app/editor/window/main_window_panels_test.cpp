@@ -106,9 +106,9 @@ TEST_F(PanelsTest, ShowsTheMassThatTheRegionsMake) {
 
 TEST_F(PanelsTest, SaysWhereNoNodeIsFixed) {
     window->document().edit("free", [](Project& p) { p.scene.fixed.clear(); });
-    ESM_EVENTUALLY(child<QLabel>("fixing")->text().contains("Fix nodes in region"));
+    ESM_EVENTUALLY(child<QLabel>("fixing")->text().contains("The tool Fix nodes"));
     window->document().edit("fix", [](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
-    ESM_EVENTUALLY(!child<QLabel>("fixing")->text().contains("Fix nodes in region"));
+    ESM_EVENTUALLY(!child<QLabel>("fixing")->text().contains("The tool Fix nodes"));
 }
 
 TEST_F(PanelsTest, TellsTheBaseMassOnce) {
