@@ -19,33 +19,41 @@ void declareInfo(CLI::App& command, InfoOptions& options) {
     command.add_option("file", options.file, "Project or model package")->required();
 }
 
-Json regionInJson(const Region& region) {
-    const TissueValues values = evaluate(region).values;
+Json regionInJson(const Region& region, double wallThickness) {
+    const RegionTissue tissue = evaluate(region, wallThickness);
+    const TissueValues& values = tissue.values;
     return {{"name", region.name},
             {"whole_organ", !region.ellipsoid},
             {"rim", region.rim},
             {"system", region.system ? Json(region.system->name) : Json()},
             {"spring_constant", inJson(values.springConstant)},
             {"viscosity", inJson(values.viscosity)},
+            {"youngs_modulus", inJson(youngsModulusOf(values, wallThickness))},
+            {"relaxation_time", inJson(relaxationTimeOf(tissue))},
             {"mass", inJson(values.mass)}};
 }
 
-std::string regionInText(const Region& region) {
-    const TissueValues values = evaluate(region).values;
+std::string regionInText(const Region& region, double wallThickness) {
+    const RegionTissue tissue = evaluate(region, wallThickness);
+    const TissueValues& values = tissue.values;
     std::vector<std::string> parts;
-    if (values.springConstant) parts.push_back("spring constant " + inText(*values.springConstant) + " N/m");
+    if (values.springConstant)
+        parts.push_back("spring constant " + inText(*values.springConstant) + " N/m (" +
+                        inText(*youngsModulusOf(values, wallThickness) / 1000) + " kPa)");
     if (values.viscosity) parts.push_back("viscosity " + inText(*values.viscosity) + " N·s/m");
+    if (const auto time = relaxationTimeOf(tissue))
+        parts.push_back("relaxation time " + inText(*time) + " s");
     if (values.mass) parts.push_back("mass " + inText(*values.mass) + " kg");
     if (region.rim > 0 && !parts.empty()) parts.push_back("soft rim " + inText(region.rim) + " m");
     return "region " + region.name + ": " + (parts.empty() ? "changes nothing" : joined(parts));
 }
 
-void addRegions(Report& report, const std::vector<Region>& regions) {
+void addRegions(Report& report, const std::vector<Region>& regions, double wallThickness) {
     Json inJson = Json::array();
     std::set<std::string> systems;
     for (const Region& region : regions) {
-        inJson.push_back(regionInJson(region));
-        report.text.push_back(regionInText(region));
+        inJson.push_back(regionInJson(region, wallThickness));
+        report.text.push_back(regionInText(region, wallThickness));
         if (region.system) systems.insert(region.system->name);
     }
     report.json["regions"] = std::move(inJson);
@@ -122,7 +130,7 @@ Report describePackage(const std::filesystem::path& file, Context& context) {
     const ModelPackage package = openedPackage(file, context);
     Report report = modelReport(package);
     report.json["kind"] = "package";
-    addRegions(report, package.regions);
+    addRegions(report, package.regions, package.base.wallThickness);
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
     addPreview(report, package.preview);
@@ -159,7 +167,8 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
     const Project project = openedProject(file, context);
     Report report = modelReport(project);
     report.json["kind"] = "project";
-    addRegions(report, project.regions);
+    addRegions(report, project.regions, project.base.wallThickness);
+    report.json["wall_thickness"] = project.base.wallThickness;
     addSpareSystems(report, project);
     Json photos = Json::array();
     for (const TextureLayer& layer : project.layers) {

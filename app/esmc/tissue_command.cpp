@@ -21,8 +21,9 @@ namespace {
 struct TissueOptions {
     std::string project, output, preset, system, ellipsoid, name;
     std::vector<std::string> values, overrides;
-    double rim = 0;               ///< m
-    std::vector<double> biphasic; ///< strain and factor; empty without the option
+    double rim = 0;                      ///< m
+    std::vector<double> biphasic;        ///< strain and factor; empty without the option
+    std::optional<double> wallThickness; // m
     bool linear = false;
 };
 
@@ -59,7 +60,8 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
     command
         .add_option(
             "--override", options.overrides,
-            "spring_constant=N/m, viscosity=N·s/m or mass=kg, in place of what is inferred; repeat it")
+            "spring_constant=N/m or youngs_modulus=Pa, viscosity=N·s/m or relaxation_time=s, mass=kg, in "
+            "place of what is inferred; repeat it")
         ->allow_extra_args(false);
     auto* biphasic =
         command
@@ -70,8 +72,17 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
             ->type_name("STRAIN FACTOR")
             ->expected(2)
             ->check(positiveNumber());
+    command
+        .add_option("--wall-thickness", options.wallThickness,
+                    "Thickness of the organ's wall, m, of which spring constants mean Young's moduli (0.003 "
+                    "until it is said)")
+        ->check(positiveNumber());
     command.add_flag("--linear", options.linear, "All springs of the organ are linear again")
         ->excludes(biphasic);
+}
+
+bool isInClinicalUnits(const std::string& override) {
+    return override == "youngs_modulus" || override == "relaxation_time";
 }
 
 void hold(TissueValues& held, const std::string& name, double value) {
@@ -86,8 +97,23 @@ void hold(TissueValues& held, const std::string& name, double value) {
         held.viscosity = value;
     else if (isOfMass)
         held.mass = value;
-    else
-        throw UsageError("--override: '" + name + "' is not one of spring_constant, viscosity, mass");
+    else if (!isInClinicalUnits(name))
+        throw UsageError("--override: '" + name +
+                         "' is not one of spring_constant, youngs_modulus, viscosity, relaxation_time, mass");
+}
+
+/// What only the organ's wall and the region's tissue make values of. @throws UsageError
+void holdInClinicalUnits(Region& region, const std::vector<std::string>& overrides, double wallThickness) {
+    const NamedValues pairs = parsePairs(overrides, "--override");
+    if (const auto modulus = valueOf(pairs, "youngs_modulus"))
+        region.held.springConstant = springConstantOfWall(*modulus, wallThickness);
+    const auto time = valueOf(pairs, "relaxation_time");
+    if (!time) return;
+    const auto springConstant = evaluate(region, wallThickness).values.springConstant;
+    if (!springConstant)
+        throw UsageError("--override relaxation_time: the region keeps the spring constant beneath; give "
+                         "youngs_modulus or spring_constant as well");
+    region.held.viscosity = *time * *springConstant;
 }
 
 using ChosenPreset = std::optional<TissuePreset>;
@@ -104,7 +130,7 @@ ChosenPreset chosenPreset(const TissueOptions& options) {
 /// Whether the command line speaks of all springs or of what ties the organ alone: then there is no region to
 /// add.
 bool isOfOrganAlone(const TissueOptions& options, const ChosenPreset& preset) {
-    const bool hasLaw = options.linear || !options.biphasic.empty();
+    const bool hasLaw = options.linear || !options.biphasic.empty() || options.wallThickness;
     const bool hasWords = !options.system.empty() || (preset && preset->system);
     return (hasLaw || preset) && !hasWords && options.values.empty() && options.ellipsoid.empty() &&
            options.rim == 0 && options.name.empty() && options.overrides.empty();
@@ -112,6 +138,7 @@ bool isOfOrganAlone(const TissueOptions& options, const ChosenPreset& preset) {
 
 void setSpringLaw(BaseTissue& base, const TissueOptions& options) {
     if (options.linear) base.stiffening.reset();
+    if (options.wallThickness) base.wallThickness = *options.wallThickness;
     if (!options.biphasic.empty()) base.stiffening = {options.biphasic[0], options.biphasic[1]};
 }
 
@@ -142,9 +169,19 @@ void addValue(Report& report, const char* key, Parameter parameter, const Region
     report.text.push_back(labels[static_cast<std::size_t>(parameter)] + (value ? inText(*value) : kept));
 }
 
+void addClinicalUnits(Report& report, const RegionTissue& tissue, double wallThickness) {
+    const auto modulus = youngsModulusOf(tissue.values, wallThickness), time = relaxationTimeOf(tissue);
+    report.json["youngs_modulus"] = inJson(modulus);
+    report.json["relaxation_time"] = inJson(time);
+    if (modulus)
+        report.text.push_back("Young's modulus of a wall of " + inText(1000 * wallThickness) +
+                              " mm, kPa: " + inText(*modulus / 1000));
+    if (time) report.text.push_back("relaxation time, s: " + inText(*time));
+}
+
 /// @param region its name; empty: the whole organ, to which none was added
 Report describe(const std::optional<std::string>& region, bool hasRim, const RegionResult& result,
-                const std::optional<TissueBeneath>& beneath) {
+                const std::optional<TissueBeneath>& beneath, double wallThickness) {
     Report report;
     report.json["region"] = region ? Json(*region) : Json();
     report.json["nodes"] = result.nodes;
@@ -159,6 +196,7 @@ Report describe(const std::optional<std::string>& region, bool hasRim, const Reg
     addValue(report, "spring_constant", Parameter::SpringConstant, result, beneath);
     addValue(report, "viscosity", Parameter::Viscosity, result, beneath);
     addValue(report, "mass", Parameter::Mass, result, beneath);
+    addClinicalUnits(report, result.tissue, wallThickness);
     addWarnings(report, result.tissue.warnings);
     return report;
 }
@@ -168,7 +206,8 @@ void addPreset(Report& report, const ChosenPreset& preset, std::size_t tethers) 
     report.json["tethers"] = tethers;
     if (!preset) return;
     report.text.push_back(counted(tethers, "tether") + " on the whole organ");
-    report.text.push_back("published: " + publishedText(*preset) + " (" + preset->source + ")");
+    report.text.push_back((isMeasured(*preset) ? "measured: " : "published: ") + publishedText(*preset) +
+                          " (" + preset->source + ")");
 }
 
 /// Gives the region what only the project and files can tell. Adds to `warnings` what of the fuzzy system's
@@ -210,14 +249,15 @@ Report runTissue(const TissueOptions& options, Context& context) {
     const bool addsRegion = !isOfOrganAlone(options, preset);
     std::vector<std::string> warnings = presetWarnings(preset, region);
     if (addsRegion) complete(region, options, inputs, project, warnings);
+    holdInClinicalUnits(region, options.overrides, project.base.wallThickness);
     RegionResult result = evaluateRegion(project, region);
     std::vector<std::string>& tissueWarnings = result.tissue.warnings;
     tissueWarnings.insert(tissueWarnings.begin(), warnings.begin(), warnings.end());
     const auto beneath = tissueBeneath(project, region);
     if (addsRegion) project.regions.push_back(region);
     output.save(project);
-    Report report =
-        describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result, beneath);
+    Report report = describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result,
+                             beneath, project.base.wallThickness);
     addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);
     addWritten(report, options.output);

@@ -28,6 +28,8 @@ std::string tetherText(const std::vector<TetherRule>& tethers) {
 /// Takes what differs, in the order in which it is asked.
 class Comparison {
 public:
+    explicit Comparison(double wallThickness) : m_wallThickness(wallThickness) {}
+
     void add(const std::string& what, const std::string& before, const std::string& after) {
         if (before != after) m_changes.push_back({what, before, after});
     }
@@ -39,7 +41,8 @@ public:
             add(name, inputText(before, name), inputText(after, name));
         static constexpr std::array<const char*, 3> names{"spring constant", "viscosity", "region mass"};
         static constexpr std::array<const char*, 3> units{"N/m", "N·s/m", "kg"};
-        const TissueValues then = evaluate(before).values, now = evaluate(after).values;
+        const TissueValues then = evaluate(before, m_wallThickness).values,
+                           now = evaluate(after, m_wallThickness).values;
         for (const Parameter parameter : everyParameter) {
             const auto place = static_cast<std::size_t>(parameter);
             // Which mass lies beneath may change as well, and is told by itself.
@@ -64,6 +67,7 @@ private:
         return value ? roundedText(*value, 4) : "none";
     }
 
+    double m_wallThickness; // m
     std::vector<PresetChange> m_changes;
 };
 
@@ -81,7 +85,7 @@ std::optional<TissueBeneath> beneathTarget(const Project& project, const Region*
 std::vector<PresetChange> presetChanges(const Project& project, RegionId region, const TissuePreset& preset) {
     Project after = project;
     const std::optional<RegionId> target = applyPreset(after, region, preset);
-    Comparison comparison;
+    Comparison comparison(project.base.wallThickness);
     if (target) {
         const Region* before = findPart(project.regions, *target);
         comparison.addRegion(before ? *before : Region{}, partOf(after.regions, *target),

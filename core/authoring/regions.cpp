@@ -1,5 +1,7 @@
 #include "core/authoring/regions.h"
 
+#include "core/fuzzy/inverse.h"
+
 #include "core/authoring/move_item.h"
 
 #include <algorithm>
@@ -59,6 +61,27 @@ Eigen::Vector3d fittingRadii(const Project& project, const Eigen::Vector3d& cent
     return {radius, radius, 0.7 * radius};
 }
 
+/// What a region sets, and of what it leaves the organ's base.
+TissueValues tissueSet(const Project& project, const Region& region) {
+    TissueValues tissue = evaluate(region, project.base.wallThickness).values;
+    if (!tissue.springConstant) tissue.springConstant = project.base.springConstant;
+    if (!tissue.viscosity) tissue.viscosity = project.base.viscosity;
+    return tissue;
+}
+
+/// Words in clinical units begin where the tissue is, as far as they reach. Other systems begin in the
+/// middle: what they come to is not in order over their words.
+void sayTissue(Region& region, const TissueValues& tissue, double wallThickness) {
+    for (std::size_t i = 0; i < region.system->outputs.size(); ++i) {
+        if (!isInClinicalUnits(*region.system, i)) continue;
+        const auto wanted =
+            inTermsOf(region.system->outputs[i], *parameterOf(*region.system, i), tissue, wallThickness);
+        const auto inputs = orderedInputs(*region.system, region.inputs);
+        const auto reached = wanted ? reachingInput(*region.system, inputs, i, *wanted) : std::nullopt;
+        if (reached) setInput(region, region.system->inputs[reached->input].name, reached->value);
+    }
+}
+
 } // namespace
 
 Colour unusedColour(const std::vector<Region>& regions) {
@@ -94,11 +117,16 @@ const Region* wholeOrganRegion(const Project& project) {
 void setSystem(Project& project, RegionId region, SharedSystem system) {
     const auto place = placeOf(project.regions, region);
     Region& target = place ? project.regions[*place] : layWholeOrgan(project, region);
+    const TissueValues tissue = tissueSet(project, target);
     const SharedSystem before = std::exchange(target.system, std::move(system));
-    if (target.system)
-        target.inputs = inputsUnder(*target.system, before ? *before : FuzzySystem{}, target.inputs);
-    else
+    if (target.system) {
+        const FuzzySystem former = before ? *before : FuzzySystem{};
+        const bool startsAnew = target.system->inputs != former.inputs;
+        target.inputs = inputsUnder(*target.system, former, target.inputs);
+        if (startsAnew) sayTissue(target, tissue, project.base.wallThickness);
+    } else {
         target.inputs.clear();
+    }
     keepSystem(project, before);
 }
 

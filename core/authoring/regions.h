@@ -20,7 +20,8 @@ void addRegion(Project& project, RegionId id, const Eigen::Vector3d& centre, Sha
 /// there is none.
 const Region* wholeOrganRegion(const Project& project);
 
-/// A fuzzy system for a region; inputs keep what they are set to as inputsUnder() has it. Null takes the
+/// A fuzzy system for a region; inputs keep what they are set to as inputsUnder() has it, and those of a
+/// system in clinical units begin where the tissue is. Null takes the
 /// system away. The one before stays in the project. Where no region is this one, it is made: of the whole
 /// organ, beneath the others.
 void setSystem(Project& project, RegionId region, SharedSystem system);

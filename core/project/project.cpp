@@ -40,7 +40,7 @@ constexpr double longestInertia = 0.05; // s
 // A closed surface whose volume comes to nothing, as a sheet with two sides, weighs as a wall too.
 double defaultMass(const TriangleMesh& mesh, bool closed) {
     const double volume = closed ? std::abs(enclosedVolume(mesh)) : 0;
-    return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * wallThickness);
+    return tissueDensity * (volume > 0 ? volume : surfaceArea(mesh) * usualWallThickness);
 }
 
 /// Default tissue for an organ of this mass. Mass grows with the size's cube and viscosity does not, so what
@@ -87,8 +87,9 @@ double mixed(double beneath, double above, double weight) {
 /// Mixes a region's parameters into those beneath. Regions are laid from the first to the last, each onto
 /// what the ones before have made: the order is the user's, and a weight of 1 hides what lies beneath.
 /// @param sizes `nodeSizes()`
-void lay(TissueModel& model, const Region& region, const std::vector<double>& sizes) {
-    const TissueValues values = evaluate(region).values;
+void lay(TissueModel& model, const Region& region, const std::vector<double>& sizes, double wallThickness) {
+    const RegionTissue tissue = evaluate(region, wallThickness);
+    const TissueValues& values = tissue.values;
     const std::vector<double> weights = nodeWeights(*model.network, region);
     // What is reached with less than the weight of one node gets no more than its share: a rim that hardly
     // touches a single node would else load the whole mass upon it.
@@ -103,7 +104,10 @@ void lay(TissueModel& model, const Region& region, const std::vector<double>& si
         if (weight == 0) continue;
         if (values.springConstant)
             model.springConstant[node] = mixed(model.springConstant[node], *values.springConstant, weight);
-        if (values.viscosity) model.viscosity[node] = mixed(model.viscosity[node], *values.viscosity, weight);
+        const auto viscosity = tissue.relaxationTime
+                                   ? std::optional(*tissue.relaxationTime * model.springConstant[node])
+                                   : values.viscosity;
+        if (viscosity) model.viscosity[node] = mixed(model.viscosity[node], *viscosity, weight);
         if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass * sizes[node] / sum, weight);
     }
 }
@@ -199,8 +203,8 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     model.viscosity.assign(nodes, project.base.viscosity);
     model.stiffening = project.base.stiffening;
     for (const Region& region : project.regions)
-        lay(model, region, sizes);
-    model.ownValues = sharedValues(model);
+        lay(model, region, sizes, project.base.wallThickness);
+    model.ownValues = sharedValues(model, project.base.wallThickness);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
     return model;
@@ -258,7 +262,7 @@ std::vector<std::string> sceneWarnings(const Scene& scene, const TissueModel& mo
 }
 
 RegionResult evaluateRegion(const Project& project, const Region& region) {
-    RegionResult result{countOf(*project.network, region), evaluate(region)};
+    RegionResult result{countOf(*project.network, region), evaluate(region, project.base.wallThickness)};
     warnOfOutputsNotReached(result.tissue, project, region);
     if (result.nodes > 0) return result;
     result.tissue.warnings.emplace_back(

@@ -8,6 +8,7 @@
 #include "core/project/editor_state.h"
 #include "core/project/measured_accuracy.h"
 #include "core/project/region.h"
+#include "core/project/wall.h"
 #include "core/texture/atlas/atlas.h"
 #include "core/texture/layers/texture_layer.h"
 
@@ -24,6 +25,7 @@ struct BaseTissue {
     double viscosity = 0;                         ///< N·s/m
     double mass = 0;                              ///< kg, total
     std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
+    double wallThickness = usualWallThickness;    ///< m, of which spring constants mean Young's moduli
 
     bool operator==(const BaseTissue&) const = default;
 };
@@ -32,7 +34,9 @@ inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
     field("springConstant", &BaseTissue::springConstant, amountLimits("the organ's spring constant")),
     field("viscosity", &BaseTissue::viscosity, amountLimits("the organ's viscosity")),
     field("mass", &BaseTissue::mass, massLimits("the organ's mass")),
-    field("stiffening", &BaseTissue::stiffening).whenSet());
+    field("stiffening", &BaseTissue::stiffening).whenSet(),
+    field("wallThickness", &BaseTissue::wallThickness, positiveLimits("the wall's thickness", "m"))
+        .whenSet());
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
@@ -76,8 +80,6 @@ struct Project {
 
 /// Gives the regions and the layers of a project that was loaded or made identities, by their places.
 void numberParts(Project& project);
-
-inline constexpr double wallThickness = 0.003; ///< m, that an open surface weighs as
 
 /// A project around an imported or made mesh, with default tissue and tethers that are stable and behave like
 /// tissue at any size. Without a mass: closed surface, its volume × 1000 kg/m³; open, area × 3 mm × 1000

@@ -1,5 +1,6 @@
 #include "core/project/region.h"
 
+#include "core/project/wall.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
@@ -11,9 +12,9 @@ namespace {
 bool setsParameter(const std::string& output, Parameter parameter) {
     switch (parameter) {
     case Parameter::SpringConstant:
-        return output == "spring_const" || output == "spring_constant";
+        return output == "spring_const" || output == "spring_constant" || output == "youngs_modulus";
     case Parameter::Viscosity:
-        return output == "viscosity";
+        return output == "viscosity" || output == "relaxation_time";
     default:
         return output == "mass";
     }
@@ -55,12 +56,22 @@ void warnOfUselessOutputs(RegionTissue& tissue, const FuzzySystem& system) {
     }
     if (!setsAny)
         tissue.warnings.push_back("the fuzzy system " + system.name +
-                                  " sets no tissue: none of its outputs is named spring_constant, viscosity "
-                                  "or mass");
+                                  " sets no tissue: none of its outputs is named spring_constant, "
+                                  "youngs_modulus, viscosity, relaxation_time or mass");
 }
 
-/// Runs the system; what it says of tissue goes into `tissue.values`.
-void takeInferred(RegionTissue& tissue, const Region& region) {
+/// In the terms that the output speaks in.
+void takeOutput(RegionTissue& tissue, const FuzzyVariable& output, Parameter parameter, double inferred,
+                double wallThickness) {
+    if (isRelaxationTime(output))
+        tissue.relaxationTime = inferred;
+    else
+        valueOf(tissue.values, parameter) =
+            isYoungsModulus(output) ? springConstantOfWall(inferred, wallThickness) : inferred;
+}
+
+/// Runs the system; what it says of tissue goes into `tissue`.
+void takeInferred(RegionTissue& tissue, const Region& region, double wallThickness) {
     const FuzzySystem& system = *region.system;
     const auto inputs = orderedInputs(system, region.inputs);
     warnOfInputsOutOfRange(tissue, system, inputs);
@@ -69,7 +80,8 @@ void takeInferred(RegionTissue& tissue, const Region& region) {
     warnOfUselessOutputs(tissue, system);
     for (const Parameter parameter : everyParameter)
         if (const auto output = outputFor(system, parameter))
-            valueOf(tissue.values, parameter) = tissue.inference.outputs[*output];
+            if (const auto inferred = tissue.inference.outputs[*output])
+                takeOutput(tissue, system.outputs[*output], parameter, *inferred, wallThickness);
 }
 
 /// Takes a value no tissue can have out again, so that what lies beneath shows through. Rules may come to
@@ -83,6 +95,20 @@ void dropImpossible(RegionTissue& tissue, Parameter parameter, const char* name)
                               (isOfMass ? " is not above zero" : " is not zero or more") + " and at most " +
                               roundedText(largestNumber) + ", so it stays as it was");
     value.reset();
+}
+
+/// A viscosity, where the region knows its spring constant.
+void takeRelaxationTime(RegionTissue& tissue) {
+    if (!isAmount(*tissue.relaxationTime)) {
+        tissue.warnings.push_back("relaxation time " + roundedText(*tissue.relaxationTime) +
+                                  " is not zero or more and at most " + roundedText(largestNumber) +
+                                  ", so the viscosity stays as it was");
+    } else if (tissue.values.springConstant) {
+        tissue.values.viscosity = *tissue.relaxationTime * *tissue.values.springConstant;
+    } else {
+        return;
+    }
+    tissue.relaxationTime.reset();
 }
 
 } // namespace
@@ -107,6 +133,11 @@ std::optional<Parameter> parameterOf(const FuzzySystem& system, std::size_t outp
     for (const Parameter parameter : everyParameter)
         if (outputFor(system, parameter) == output) return parameter;
     return std::nullopt;
+}
+
+bool isInClinicalUnits(const FuzzySystem& system, std::size_t output) {
+    const FuzzyVariable& variable = system.outputs[output];
+    return parameterOf(system, output) && (isYoungsModulus(variable) || isRelaxationTime(variable));
 }
 
 std::optional<double> valueOf(const NamedValues& values, const std::string& name) {
@@ -137,12 +168,37 @@ double weightAt(const Region& region, const Eigen::Vector3d& point) {
     return share < 1 ? (1 - share) * (1 - share) * (1 + 2 * share) : 0;
 }
 
-RegionTissue evaluate(const Region& region) {
+std::optional<double> inTermsOf(const FuzzyVariable& output, Parameter parameter, const TissueValues& tissue,
+                                double wallThickness) {
+    const auto value = valueOf(tissue, parameter);
+    if (!value) return std::nullopt;
+    if (isYoungsModulus(output)) return youngsModulusOf(tissue, wallThickness);
+    if (!isRelaxationTime(output)) return value;
+    RegionTissue whole;
+    whole.values = tissue;
+    return relaxationTimeOf(whole);
+}
+
+std::optional<double> youngsModulusOf(const TissueValues& values, double wallThickness) {
+    if (!values.springConstant) return std::nullopt;
+    return youngsModulusOfWall(*values.springConstant, wallThickness);
+}
+
+std::optional<double> relaxationTimeOf(const RegionTissue& tissue) {
+    if (tissue.relaxationTime) return tissue.relaxationTime;
+    const auto& [springConstant, viscosity, mass] = tissue.values;
+    const bool isKnown = springConstant && viscosity && *springConstant > 0;
+    return isKnown ? std::optional(*viscosity / *springConstant) : std::nullopt;
+}
+
+RegionTissue evaluate(const Region& region, double wallThickness) {
     RegionTissue tissue;
-    if (region.system) takeInferred(tissue, region);
+    if (region.system) takeInferred(tissue, region, wallThickness);
     for (const Parameter parameter : everyParameter)
         if (const auto held = valueOf(region.held, parameter)) valueOf(tissue.values, parameter) = held;
+    if (region.held.viscosity) tissue.relaxationTime.reset();
     dropImpossible(tissue, Parameter::SpringConstant, "spring constant");
+    if (tissue.relaxationTime) takeRelaxationTime(tissue);
     dropImpossible(tissue, Parameter::Viscosity, "viscosity");
     dropImpossible(tissue, Parameter::Mass, "mass");
     return tissue;

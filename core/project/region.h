@@ -34,9 +34,22 @@ inline constexpr std::array<Parameter, 3> everyParameter{Parameter::SpringConsta
 std::optional<double>& valueOf(TissueValues& values, Parameter parameter);
 std::optional<double> valueOf(const TissueValues& values, Parameter parameter);
 
-/// The output of a fuzzy system that sets a parameter, by its name: `spring_const` or `spring_constant`,
-/// `viscosity`, `mass`. The first where there are several; none without.
+/// The output of a fuzzy system that sets a parameter, by its name: `spring_const`, `spring_constant` or
+/// `youngs_modulus`, `viscosity` or `relaxation_time`, `mass`. The first where there are several; none
+/// without.
 std::optional<std::size_t> outputFor(const FuzzySystem& system, Parameter parameter);
+
+/// Whether an output says the spring constant as Young's modulus of a wall, Pa.
+inline bool isYoungsModulus(const FuzzyVariable& output) {
+    return output.name == "youngs_modulus";
+}
+/// Whether an output says the viscosity as the time, s, that it takes times the spring constant.
+inline bool isRelaxationTime(const FuzzyVariable& output) {
+    return output.name == "relaxation_time";
+}
+
+/// Whether an output sets a parameter in one of these ways.
+bool isInClinicalUnits(const FuzzySystem& system, std::size_t output);
 
 /// The parameter that an output sets: the other way round.
 std::optional<Parameter> parameterOf(const FuzzySystem& system, std::size_t output);
@@ -77,12 +90,27 @@ double weightAt(const Region& region, const Eigen::Vector3d& point);
 /// What a region's fuzzy system and held values give together.
 struct RegionTissue {
     TissueValues values;
+    /// s: the viscosity over whatever spring constant lies beneath, where the region sets this time but no
+    /// spring constant; its values have no viscosity then.
+    std::optional<double> relaxationTime{};
     InferenceResult inference;          ///< empty lists without a system
     std::vector<std::size_t> unreached; ///< outputs that no rule reaches and nothing holds, as indices
     std::vector<std::string> warnings;  ///< inputs out of range, outputs that set nothing
 };
 
+/// What tissue has of a parameter in the terms of an output that sets it: a spring constant as Young's
+/// modulus where the output says it so, a viscosity as relaxation time. None where the tissue has no such
+/// value.
+std::optional<double> inTermsOf(const FuzzyVariable& output, Parameter parameter, const TissueValues& tissue,
+                                double wallThickness);
+
+/// Pa, of a wall; none where no spring constant is set.
+std::optional<double> youngsModulusOf(const TissueValues& values, double wallThickness);
+/// s, viscosity over spring constant; none where it follows from what lies beneath, or the constant is 0.
+std::optional<double> relaxationTimeOf(const RegionTissue& tissue);
+
+/// @param wallThickness m, of which a Young's modulus means a spring constant
 /// @throws InvalidModel when an input is unknown to the fuzzy system or not finite
-RegionTissue evaluate(const Region& region);
+RegionTissue evaluate(const Region& region, double wallThickness);
 
 } // namespace esm

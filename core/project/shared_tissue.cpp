@@ -1,6 +1,6 @@
 #include "core/project/shared_tissue.h"
 
-#include "core/project/project.h"
+#include "core/project/wall.h"
 #include "core/solid/lattice_elasticity.h"
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 // The words and sliders speak of a wall, whose springs' constant alone says how firm it is. A lattice's
 // constants grow with its spacing instead; its modulus does not.
-std::vector<double> springFactors(const SpringNetwork& network) {
+std::vector<double> springFactors(const SpringNetwork& network, double wallThickness) {
     if (network.sheet) return network.sheet->springs;
     if (!network.lattice) return {};
     std::vector<double> factors = network.lattice->springShares;
@@ -23,14 +23,10 @@ std::vector<double> springFactors(const SpringNetwork& network) {
 
 } // namespace
 
-double youngsModulusOfWall(double springConstant, double thickness) {
-    return 2 * springConstant / (std::sqrt(3.0) * thickness);
-}
-
-std::vector<SpringValues> sharedValues(const TissueModel& model) {
+std::vector<SpringValues> sharedValues(const TissueModel& model, double wallThickness) {
     const SpringNetwork& network = *model.network;
     std::vector<SpringValues> values;
-    const std::vector<double> factors = springFactors(network);
+    const std::vector<double> factors = springFactors(network, wallThickness);
     values.reserve(factors.size());
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const auto [first, second, restLength] = network.springs[i];

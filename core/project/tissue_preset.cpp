@@ -27,9 +27,15 @@ bool isAsPublished(const Project& project, const Region* region, const TissuePre
     return !isWhole || (isTied && weighsAlike);
 }
 
+bool isMeasured(const TissuePreset& preset) {
+    return preset.published.youngsModulus.has_value();
+}
+
 std::string publishedText(const TissuePreset& preset) {
     std::vector<std::string> parts;
-    const auto& [springConstant, viscosity] = preset.published;
+    const auto& [springConstant, viscosity, youngsModulus, relaxationTime] = preset.published;
+    if (youngsModulus) parts.push_back(roundedText(*youngsModulus / 1000) + " kPa");
+    if (relaxationTime) parts.push_back(roundedText(*relaxationTime) + " s");
     if (springConstant) parts.push_back(roundedText(*springConstant) + " N/m");
     if (viscosity) parts.push_back(roundedText(*viscosity) + " N·s/m");
     if (preset.mass) parts.push_back(roundedText(*preset.mass) + " kg");

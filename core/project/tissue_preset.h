@@ -7,10 +7,12 @@
 
 namespace esm {
 
-/// What the words of a preset came to where they were published.
+/// What the words of a preset came to where they were published, or what was measured.
 struct PublishedTissue {
     std::optional<double> springConstant; ///< N/m
     std::optional<double> viscosity;      ///< N·s/m
+    std::optional<double> youngsModulus;  ///< Pa
+    std::optional<double> relaxationTime; ///< s
 
     bool operator==(const PublishedTissue&) const = default;
 };
@@ -18,7 +20,10 @@ template<>
 inline constexpr auto fieldsOf<PublishedTissue> = fieldTable(
     field("spring_constant", &PublishedTissue::springConstant, amountLimits("the spring constant", "N/m"))
         .whenSet(),
-    field("viscosity", &PublishedTissue::viscosity, amountLimits("the viscosity", "N·s/m")).whenSet());
+    field("viscosity", &PublishedTissue::viscosity, amountLimits("the viscosity", "N·s/m")).whenSet(),
+    field("youngs_modulus", &PublishedTissue::youngsModulus, amountLimits("Young's modulus", "Pa")).whenSet(),
+    field("relaxation_time", &PublishedTissue::relaxationTime, amountLimits("the relaxation time", "s"))
+        .whenSet());
 
 /// Tissue as somebody published it, in words, with the mass of the organ and what holds it in place. Nothing
 /// of it knows another organ's size or number of springs: it is taken as it was published.
@@ -56,7 +61,10 @@ void tiePreset(Scene& scene, const TissuePreset& preset);
 /// where it is the whole organ's; without a region the tethers of a preset that has nothing else.
 bool isAsPublished(const Project& project, const Region* region, const TissuePreset& preset);
 
-/// "81.3091 N/m, 6 N·s/m, 0.5 kg", and the tethers.
+/// Whether it is tissue that was measured, in clinical units, not that of a published simulator.
+bool isMeasured(const TissuePreset& preset);
+
+/// "81.3091 N/m, 6 N·s/m, 0.5 kg", and the tethers; "5.49 kPa, 0.07 s" of tissue that was measured.
 std::string publishedText(const TissuePreset& preset);
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "app/editor/document/document.h"
 #include "app/editor/edits/system_reach.h"
 #include "app/editor/window/main_window.h"
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "tests/support/eventually.h"
 #include "widgets/inputs/number_field.h"
 #include "widgets/view/organ_view.h"
@@ -95,6 +96,15 @@ protected:
         QApplication::setActiveWindow(window.get());
         QWidget* focus = window->focusWidget();
         QTest::keyClick(focus ? focus : window.get(), Qt::Key(key), modifiers);
+    }
+    /// A region whose tissue is said in the words of a published system, which has sliders for its outputs.
+    void addPublishedRegion() {
+        press(Qt::Key_R, Qt::ControlModifier);
+        window->document().edit("system", [](esm::Project& project) {
+            esm::Region& added = project.regions.back();
+            added.system = std::make_shared<const esm::FuzzySystem>(esm::fuzzyPreset("susilap-g"));
+            added.inputs = {{"consistency", 6}};
+        });
     }
     /// Types into a number field and leaves the cursor in it.
     void typeInto(esm::NumberField* field, const QString& text) {

@@ -380,7 +380,7 @@ class SimulateTest(Case):
         octahedron = ("v 0 0 .05\nv .05 0 0\nv 0 .05 0\nv -.05 0 0\nv 0 -.05 0\nv 0 0 -.05\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n"
                       "f 6 3 2\nf 6 4 3\nf 6 5 4\nf 6 2 5\n")
         project = self.file("ball.esm")
-        self.done("import", self.file("ball.obj", octahedron), "--unit", "m", "--mass", "0.1", "-o", project)
+        self.done("import", self.file("ball.obj", octahedron), "--unit", "m", "--mass", "0.1", "--springs", "alike", "-o", project)
         scene = {"duration": 0.1, "forces": [{"node": 0, "force": [0, 0, 1]}, {"node": 5, "force": [0, 0, -1]}],
                  "split": [{"time": 0.045, "edges": [[1, 2], [2, 3], [3, 4], [4, 1]]}], "record": {"every": 0.02}}
         surface = self.file("surface.csv")

@@ -218,9 +218,43 @@ class PresetTest(Case):
                    naming="--ellipsoid")
 
     def test_names_the_presets_there_are(self):
-        message = self.fails(2, "tissue", "x.esm", "--preset", "spleen", "-o", "y.esm", naming="spleen")
+        message = self.fails(2, "tissue", "x.esm", "--preset", "tonsil", "-o", "y.esm", naming="tonsil")
         self.assertIn("tube-tethers", message)
         self.fails(2, "tissue", "x.esm", "--preset", "tube", "--system", "robo-sim", "-o", "y.esm", naming="--system")
+
+
+class ClinicalUnitsTest(Case):
+    def spring_constant(self, pascal, wall):
+        return math.sqrt(3) / 2 * wall * pascal
+
+    def test_a_modulus_and_a_time_become_spring_constant_and_viscosity(self):
+        project = self.sample("tube")
+        report = self.done("tissue", project, "--override", "youngs_modulus=4000", "--override", "relaxation_time=0.25",
+                           "-o", project)
+        self.assertAlmostEqual(report["spring_constant"], self.spring_constant(4000, 0.003), places=9)
+        self.assertAlmostEqual(report["viscosity"], 0.25 * report["spring_constant"], places=9)
+        self.assertAlmostEqual(report["youngs_modulus"], 4000, places=6)
+        self.assertAlmostEqual(report["relaxation_time"], 0.25, places=9)
+        region = self.done("info", project)["regions"][-1]
+        self.assertAlmostEqual(region["youngs_modulus"], 4000, places=6)
+
+    def test_measured_tissue_is_what_was_measured_on_a_wall_of_any_thickness(self):
+        project, package = self.sample("liver"), self.file("liver.glb")
+        for wall in (0.003, 0.005):
+            self.done("tissue", project, "--wall-thickness", wall, "-o", project)
+            report = self.done("tissue", project, "--preset", "liver", "-o", project)
+            self.assertAlmostEqual(report["youngs_modulus"], 5490, delta=1)
+            self.assertAlmostEqual(report["spring_constant"], self.spring_constant(report["youngs_modulus"], wall), places=6)
+            self.assertEqual(self.done("info", project)["wall_thickness"], wall)
+        self.done("export", project, "--to", "glb", "-o", package)
+        self.assertTrue(self.done("validate", package)["valid"])
+        self.assertAlmostEqual(self.done("info", package)["regions"][-1]["youngs_modulus"], 5490, delta=1)
+
+    def test_a_time_alone_needs_a_spring_constant(self):
+        project = self.sample("tube")
+        before = project.read_bytes()
+        self.fails(2, "tissue", project, "--override", "relaxation_time=0.1", "-o", project, naming="relaxation_time")
+        self.assertEqual(project.read_bytes(), before)
 
 
 class BiphasicTest(Case):
@@ -260,7 +294,7 @@ class BiphasicTest(Case):
         foot, height, pulled = 0.02, 0.05, 0.09
         self.file("tent.obj", f"v {-foot} 0 0\nv {foot} 0 0\nv 0 {height} 0\nf 1 2 3\n")
         project, package = self.file("tent.esm"), self.file("tent.glb")
-        self.done("import", self.file("tent.obj"), "-o", project)
+        self.done("import", self.file("tent.obj"), "-o", project, "--springs", "alike")
         self.done("tissue", project, "--override", "spring_constant=30", "--override", "viscosity=0.3", "-o", project)
         self.done("tissue", project, "--biphasic", "0.2", "5", "-o", project)
         rest, length = math.hypot(foot, height), math.hypot(foot, pulled)

@@ -1,5 +1,6 @@
 #include "tests/support/exchange_projects.h"
 
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/image_file.h"
 #include "core/project/detail_change.h"
 #include "core/project/simulated_network.h"
@@ -159,6 +160,19 @@ Project filledProject() {
     project.atlas = nullptr;
     return withDetail(project,
                       {Detail::Kind::Filled, 0, fillingOf(*project.mesh, LatticeKind::BodyCentred, 60)});
+}
+
+Project clinicalProject() {
+    Project project = richProject();
+    project.layers.clear();
+    project.atlas = nullptr;
+    project.base.wallThickness = 0.0137 / 3;
+    Region region;
+    region.name = "stiff";
+    region.system = std::make_shared<const FuzzySystem>(fuzzyPreset("organ"));
+    region.inputs = {{"firmness", 10.0 / 3}, {"springiness", 7}};
+    project.regions = {region};
+    return project;
 }
 
 Project sheetProject() {

@@ -22,6 +22,8 @@ Project boundProject(const Detail& detail);
 /// The same organ in a lattice of one box, whose eight nodes turn nothing: up to eight carry each vertex.
 Project latticeProject();
 
+/// The same organ of a wall of another thickness, its tissue said in Young's modulus and relaxation time.
+Project clinicalProject();
 /// The same organ as an even sheet, without photos.
 Project sheetProject();
 /// The same organ filled with a lattice, without photos.

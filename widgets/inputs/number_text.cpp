@@ -14,7 +14,7 @@ QString withTrueMinus(QString text) {
     return text.replace('-', QChar(0x2212));
 }
 
-enum class Quantity { Length, Mass, SpringConstant, Viscosity, Angle };
+enum class Quantity { Length, Mass, SpringConstant, Viscosity, Modulus, Time, Angle };
 
 struct UnitSize {
     Quantity quantity;
@@ -37,6 +37,11 @@ std::optional<UnitSize> siUnitOf(const QString& unit) {
         {QStringLiteral("N·s/m"), {Quantity::Viscosity, 1}},
         {QStringLiteral("Ns/m"), {Quantity::Viscosity, 1}},
         {QStringLiteral("N*s/m"), {Quantity::Viscosity, 1}},
+        {QStringLiteral("Pa"), {Quantity::Modulus, 1}},
+        {QStringLiteral("kPa"), {Quantity::Modulus, 1e3}},
+        {QStringLiteral("MPa"), {Quantity::Modulus, 1e6}},
+        {QStringLiteral("ms"), {Quantity::Time, 1e-3}},
+        {QStringLiteral("s"), {Quantity::Time, 1}},
         {QStringLiteral("°"), {Quantity::Angle, 1}},
         {QStringLiteral("deg"), {Quantity::Angle, 1}},
     };

@@ -32,6 +32,23 @@ QString turnedToolTip() {
     return QObject::tr("Turned about x, then y, then z, each about its own axis as turned so far");
 }
 
+NumberFormat modulusFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("kPa");
+    format.shownPerValue = 1e-3;
+    format.minimum = 0;
+    format.maximum = 1e11;
+    return format;
+}
+
+NumberFormat timeFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("s");
+    format.minimum = 0;
+    format.maximum = 1e6;
+    return format;
+}
+
 NumberFormat massFormat() {
     NumberFormat format;
     format.unit = QStringLiteral("kg");

@@ -15,6 +15,8 @@ constexpr double smallestLength = 1e-5;
 NumberFormat angleFormat(); ///< whole degrees
 /// How three angles make one turn.
 QString turnedToolTip();
+NumberFormat modulusFormat();                                 ///< Pa, shown in kPa
+NumberFormat timeFormat();                                    ///< s
 NumberFormat massFormat();                                    ///< kg, above zero
 NumberFormat percentFormat(double minimum, double maximum);   ///< shares of one, shown in percent
 NumberFormat wholePercentFormat(double maximum, double step); ///< from 0, in whole percent

@@ -13,7 +13,7 @@ namespace {
 /// What an open surface means for the organ that is made of it; empty for a closed one.
 QString massOfWall(const RepairReport& report) {
     if (report.isClosed()) return {};
-    const QString wall = QObject::tr("%1 mm").arg(decimalText(wallThickness * 1000, 0));
+    const QString wall = QObject::tr("%1 mm").arg(decimalText(usualWallThickness * 1000, 0));
     return report.boundaryEdges > 0
                ? QObject::tr("An open surface weighs as a wall %1 thick, not as a filled organ.").arg(wall)
                : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);

@@ -3,7 +3,6 @@
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/preview_background.h"
 #include "core/project/detail_change.h"
-#include "core/project/shared_tissue.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
 #include "widgets/inputs/enabling.h"
@@ -65,7 +64,7 @@ QString countsText(double nodes, double springs, double tetrahedra) {
 }
 
 QString firmnessText(const Project& project, LatticeKind kind) {
-    const double modulus = youngsModulusOfWall(project.base.springConstant, wallThickness);
+    const double modulus = youngsModulusOfWall(project.base.springConstant, project.base.wallThickness);
     const QString text =
         kind == LatticeKind::BareDiamond
             ? QObject::tr("%1 N/m of the whole organ then resist being pressed together as tissue of %2 kPa "

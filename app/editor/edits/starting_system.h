@@ -6,9 +6,9 @@
 
 namespace esm {
 
-/// What a new region speaks: the simplest of the systems that ship.
+/// What a new region speaks: words that rise in order, in units that clinicians know.
 inline std::shared_ptr<const FuzzySystem> startingSystem() {
-    return std::make_shared<const FuzzySystem>(fuzzyPreset("susilap-g"));
+    return std::make_shared<const FuzzySystem>(fuzzyPreset("organ"));
 }
 
 } // namespace esm

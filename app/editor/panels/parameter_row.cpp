@@ -10,17 +10,6 @@
 
 namespace esm {
 
-QString parameterName(Parameter parameter, Extent extent) {
-    switch (parameter) {
-    case Parameter::SpringConstant:
-        return QObject::tr("spring constant");
-    case Parameter::Viscosity:
-        return QObject::tr("viscosity");
-    default:
-        return extent == Extent::Base ? QObject::tr("base mass") : QObject::tr("region mass");
-    }
-}
-
 NumberFormat parameterFormat(Parameter parameter) {
     if (parameter == Parameter::Mass) return massFormat();
     NumberFormat format;
@@ -57,13 +46,14 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
         m_hold->setCheckable(true);
         m_hold->setObjectName(QStringLiteral("holdButton"));
         row->addWidget(m_hold);
-        m_beneath = new QLabel(this);
-        m_beneath->setObjectName(QStringLiteral("beneath"));
-        m_beneath->setProperty("quiet", true);
-        m_beneath->setFont(smallFont(font()));
-        column->addWidget(m_beneath);
+        m_remark = new QLabel(this);
+        m_remark->setObjectName(QStringLiteral("beneath"));
+        m_remark->setProperty("quiet", true);
+        m_remark->setFont(smallFont(font()));
+        column->addWidget(m_remark);
         connect(m_hold, &QToolButton::clicked, this, [this](bool held) {
             if (!held) return emit released();
+            if (m_field->value()) return emit valueEdited(*m_field->value());
             // Nothing to hold yet: the number is asked for.
             m_hold->setChecked(false);
             m_field->setFocus();
@@ -72,19 +62,18 @@ ParameterRow::ParameterRow(Parameter parameter, Extent extent, QWidget* parent)
     row->addWidget(m_field);
 }
 
-void ParameterRow::setValue(std::optional<double> value) {
+void ParameterRow::setValue(std::optional<double> value, Manner manner) {
     m_field->setValue(value);
     if (!m_hold) return;
-    m_hold->setChecked(value.has_value());
-    m_hold->setToolTip(value ? tr("Let go: keep the value of the tissue beneath")
-                             : tr("Type a value to hold it"));
+    const bool isHeld = manner == Manner::Held;
+    m_hold->setChecked(isHeld);
+    m_hold->setToolTip(isHeld  ? tr("Let this value go again")
+                       : value ? tr("Hold this value, whatever the fuzzy system says")
+                               : tr("Type a value to hold it"));
 }
 
-void ParameterRow::setBeneath(const QString& beneath) {
-    if (!m_beneath) return;
-    const QString kept =
-        m_field->value() ? tr("in place of %1").arg(beneath) : tr("it keeps %1").arg(beneath);
-    m_beneath->setText(beneath.isEmpty() ? tr("the region reaches no node") : kept);
+void ParameterRow::setRemark(const QString& remark) {
+    if (m_remark) m_remark->setText(remark);
 }
 
 } // namespace esm

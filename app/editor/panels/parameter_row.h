@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/authoring/regions.h"
+#include "app/editor/edits/parameter_name.h"
 #include "widgets/inputs/number_field.h"
 
 #include <QLabel>
@@ -8,10 +8,6 @@
 
 namespace esm {
 
-/// Whose tissue a parameter speaks of: the organ's before any region, or a region's.
-enum class Extent { Base, Region };
-
-QString parameterName(Parameter parameter, Extent extent);
 /// Unit and limits of a tissue parameter.
 NumberFormat parameterFormat(Parameter parameter);
 
@@ -23,10 +19,11 @@ public:
     /// A region's parameter can be held or let go; the base tissue always has a value.
     ParameterRow(Parameter parameter, Extent extent, QWidget* parent = nullptr);
 
-    /// A value that is set by hand; none shows that the tissue beneath keeps its own.
-    void setValue(std::optional<double> value);
-    /// Of a region: what the tissue beneath has, with its unit; empty where the region reaches none.
-    void setBeneath(const QString& beneath);
+    /// None shows that the tissue beneath keeps its own. A region's may be set by hand, and be let go again.
+    enum class Manner { Usual, Held };
+    void setValue(std::optional<double> value, Manner manner = Manner::Usual);
+    /// Beneath a region's row: how the value came about, or what is kept.
+    void setRemark(const QString& remark);
     NumberField* field() const { return m_field; }
 
 signals:
@@ -38,7 +35,7 @@ signals:
 private:
     NumberField* m_field;
     QToolButton* m_hold = nullptr;
-    QLabel* m_beneath = nullptr;
+    QLabel* m_remark = nullptr;
 };
 
 } // namespace esm

@@ -11,8 +11,9 @@ function(esm_preset_entries folder entries)
   set(${entries} "${text}" PARENT_SCOPE)
 endfunction()
 
-esm_preset_entries(${PROJECT_SOURCE_DIR}/presets fuzzy_entries robo-sim susilap-g)
+esm_preset_entries(${PROJECT_SOURCE_DIR}/presets fuzzy_entries organ robo-sim susilap-g)
 esm_preset_entries(${PROJECT_SOURCE_DIR}/presets/tissue tissue_entries
+  liver pancreas kidney spleen myometrium bowel-wall muscle fat brain cartilage
   tube tube-tethers uterus bowel ventricle)
 configure_file(embedded_presets.cpp.in embedded_presets.cpp @ONLY)
 target_sources(esm_core PRIVATE ${CMAKE_CURRENT_BINARY_DIR}/embedded_presets.cpp)

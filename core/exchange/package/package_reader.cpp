@@ -23,12 +23,15 @@ namespace {
 /// otherwise.
 void checkVersion(const JsonReader& extension, const ModelPackage& package) {
     const bool isBound = extension.has("binding");
-    int version = versionOf(needsOf(package.regions, isBound, package.tissue.stiffening.has_value()));
+    VersionNeeds needs = needsOf(package.regions, package.base, isBound);
+    const bool isClinical = std::exchange(needs.clinicalUnits, false);
+    int version = versionOf(needs);
     if (isBound && extension.member("binding").has("starts"))
         version = std::max(version, package_layout::versionOfWideBindings);
     if (extension.has("texture") && extension.member("texture").has("layout"))
         version = std::max(version, package_layout::versionOfStretchedLayouts);
     if (extension.has("lattice")) version = package_layout::versionOfLattices;
+    if (isClinical) version = package_layout::versionOfClinicalUnits;
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

@@ -98,13 +98,14 @@ Json PackageBuilder::surface() {
 }
 
 int PackageBuilder::version() const {
+    const VersionNeeds needs = needsOf(m_from.project.regions, m_from.project.base, isBound());
+    if (needs.clinicalUnits) return package_layout::versionOfClinicalUnits;
     if (m_network.lattice) return package_layout::versionOfLattices;
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
         return package_layout::versionOfStretchedLayouts;
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;
     if (isBound() && needsStarts(*m_network.binding)) return package_layout::versionOfWideBindings;
-    const bool stiffens = m_from.tissue.stiffening.has_value();
-    return versionOf(needsOf(m_from.project.regions, isBound(), stiffens));
+    return versionOf(needs);
 }
 
 Json PackageBuilder::extension() {

@@ -23,15 +23,28 @@ bool needsExtendedInference(const FuzzySystem& system) {
            });
 }
 
-VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening) {
+bool needsClinicalUnits(const FuzzySystem& system) {
+    for (std::size_t output = 0; output < system.outputs.size(); ++output)
+        if (isInClinicalUnits(system, output)) return true;
+    return false;
+}
+
+VersionNeeds needsOf(const std::vector<Region>& regions, const BaseTissue& base, bool binding) {
     const auto any = [&](auto&& is) { return std::any_of(regions.begin(), regions.end(), is); };
-    return {binding, stiffening,
-            any([](const Region& region) { return region.system && needsExtendedInference(*region.system); }),
-            any([](const Region& region) { return region.rim != 0; })};
+    VersionNeeds needs;
+    needs.binding = binding;
+    needs.stiffening = base.stiffening.has_value();
+    needs.extendedInference =
+        any([](const Region& region) { return region.system && needsExtendedInference(*region.system); });
+    needs.softRims = any([](const Region& region) { return region.rim != 0; });
+    needs.clinicalUnits = base.wallThickness != usualWallThickness || any([](const Region& region) {
+                              return region.system && needsClinicalUnits(*region.system);
+                          });
+    return needs;
 }
 
 int versionOf(const VersionNeeds& needs) {
-    if (needs.sheet) return 13;
+    if (needs.sheet || needs.clinicalUnits) return 13;
     if (needs.lattice) return 12;
     if (needs.finish || needs.retouching || needs.stretchedLayout) return 11;
     if (needs.shapedMasks) return 10;

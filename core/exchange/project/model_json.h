@@ -24,15 +24,19 @@ struct VersionNeeds {
     bool finish = false;            ///< how the surface shines: version 11
     bool stretchedLayout = false;   ///< a mesh's own texture coordinates, or triangles stretched: version 11
     bool lattice = false;           ///< a body that is filled: version 12
-    bool sheet = false;             ///< springs that make an even sheet: version 13
+    bool clinicalUnits = false; ///< fuzzy systems that say moduli or times, a wall's thickness: version 13
+    bool sheet = false;         ///< springs that make an even sheet: version 13
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
+
+/// Whether a system says tissue in clinical units, which older programs take for nothing.
+bool needsClinicalUnits(const FuzzySystem& system);
 
 /// Whether older programs would misread a system: version 4.
 bool needsExtendedInference(const FuzzySystem& system);
 
 /// What the regions and their fuzzy systems need, with what else does.
-VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stiffening);
+VersionNeeds needsOf(const std::vector<Region>& regions, const BaseTissue& base, bool binding);
 
 /// The oldest that has all of it, so that older programs go on reading all that they understand.
 int versionOf(const VersionNeeds& needs);

@@ -54,10 +54,11 @@ bool needsLandmarks(const TextureLayer& layer) {
 } // namespace
 
 int projectVersionOf(const Project& project) {
-    VersionNeeds needs =
-        needsOf(project.regions, project.network->binding.has_value(), project.base.stiffening.has_value());
-    for (const auto& spare : project.spareSystems)
+    VersionNeeds needs = needsOf(project.regions, project.base, project.network->binding.has_value());
+    for (const auto& spare : project.spareSystems) {
         needs.extendedInference = needs.extendedInference || needsExtendedInference(*spare);
+        needs.clinicalUnits = needs.clinicalUnits || needsClinicalUnits(*spare);
+    }
     const auto any = [&](auto&& needed) {
         return std::any_of(project.layers.begin(), project.layers.end(), needed);
     };

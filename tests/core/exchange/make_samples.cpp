@@ -169,6 +169,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-11-own-layout", ownLayoutProject()},
             {"version-12-filled", filledProject()},
             {"version-13-even-sheet", sheetProject()},
+            {"version-13-clinical-units", clinicalProject()},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -188,6 +189,7 @@ void writeSamples(const std::filesystem::path& folder) {
     }
     exportPackage(filledProject(), folder / "packages" / "version-8-filled.glb");
     exportPackage(sheetProject(), folder / "packages" / "version-6-even-sheet.glb");
+    exportPackage(clinicalProject(), folder / "packages" / "version-9-clinical-units.glb");
     exportPackage(ownLayoutProject(), folder / "packages" / "version-7-own-layout.glb");
     exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
     exportPackage(shiningProject(), folder / "packages" / "version-1-finish.glb");

@@ -1,5 +1,6 @@
 #include "core/fuzzy/inference.h"
 
+#include "core/exchange/fuzzy/fll_file.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/fuzzy/rule_text.h"
 #include "tests/core/fuzzy/random_systems.h"
@@ -68,10 +69,17 @@ TEST(Inference, AgreesWithFuzzyliteOnRandomSystems) {
     EXPECT_GT(compared, 1000);
 }
 
+bool isOfPoints(const FuzzyVariable& output) {
+    return std::all_of(output.terms.begin(), output.terms.end(),
+                       [](const FuzzyTerm& term) { return term.set.a == term.set.d; });
+}
+
 TEST(Inference, AgreesWithFuzzyliteOnThePresets) {
     for (const std::string& name : fuzzyPresetNames()) {
         const FuzzySystem system = fuzzyPreset(name);
-        FuzzyliteEngine engine(system, 20000);
+        // Of points alone it takes the mean by their weights, which its own language has to tell it.
+        FuzzyliteEngine engine = isOfPoints(system.outputs[0]) ? FuzzyliteEngine::fromFll(toFll(system).text)
+                                                               : FuzzyliteEngine(system, 20000);
         std::vector<double> inputs;
         for (const FuzzyVariable& input : system.inputs)
             inputs.push_back(input.minimum + 0.37 * (input.maximum - input.minimum));

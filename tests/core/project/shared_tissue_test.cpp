@@ -39,16 +39,17 @@ double stretchingEnergy(const TissueModel& model, const std::vector<SpringValues
 }
 
 TEST(SolidTissue, IsAsFirmHoweverFineItsLatticeIs) {
-    const double modulus = youngsModulusOfWall(12.5, wallThickness);
+    const double modulus = youngsModulusOfWall(12.5, usualWallThickness);
     EXPECT_NEAR(modulus, 4811, 1);
     for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred})
         for (const double spacing : {0.005, 0.004, 0.003}) {
             const TissueModel model = evenTissue({kind, spacing});
             for (const Eigen::Vector3d& direction :
                  {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(1, 2, 3).normalized()})
-                EXPECT_NEAR(stretchingEnergy(model, sharedValues(model), direction, 1e-3) /
-                                (0.6 * modulus * 1e-6 * volume),
-                            1, 0.05)
+                EXPECT_NEAR(
+                    stretchingEnergy(model, sharedValues(model, usualWallThickness), direction, 1e-3) /
+                        (0.6 * modulus * 1e-6 * volume),
+                    1, 0.05)
                     << wordOf(kind) << spacing;
         }
 }
@@ -56,7 +57,7 @@ TEST(SolidTissue, IsAsFirmHoweverFineItsLatticeIs) {
 TEST(SolidTissue, RelaxesAsFastHoweverFineItsLatticeIs) {
     for (const double spacing : {0.01, 0.004}) {
         const TissueModel model = evenTissue({LatticeKind::BodyCentred, spacing});
-        const std::vector<SpringValues> values = sharedValues(model);
+        const std::vector<SpringValues> values = sharedValues(model, usualWallThickness);
         ASSERT_EQ(values.size(), model.network->springs.size());
         for (const SpringValues& spring : values)
             EXPECT_NEAR(spring.viscosity / spring.springConstant, 0.5 / 12.5, 1e-12);
@@ -66,11 +67,11 @@ TEST(SolidTissue, RelaxesAsFastHoweverFineItsLatticeIs) {
 TEST(SolidTissue, OfABareDiamondLatticeResistsCompressionAsTheOthersDo) {
     const TissueModel model = evenTissue({LatticeKind::BareDiamond, 0.004});
     double energy = 0;
-    const std::vector<SpringValues> values = sharedValues(model);
+    const std::vector<SpringValues> values = sharedValues(model, usualWallThickness);
     for (std::size_t i = 0; i < values.size(); ++i)
         energy += values[i].springConstant * std::pow(1e-3 * model.network->springs[i].restLength, 2) / 2;
     // Squeezed evenly from all sides, 9·K·ε²/2 for each m³; K = 2E/3.
-    EXPECT_NEAR(energy / (3 * youngsModulusOfWall(12.5, wallThickness) * 1e-6 * volume), 1, 0.1);
+    EXPECT_NEAR(energy / (3 * youngsModulusOfWall(12.5, usualWallThickness) * 1e-6 * volume), 1, 0.1);
 }
 
 TEST(SolidTissue, WeighsWhatTheOrganWeighsWhereItsVolumeIs) {

@@ -82,5 +82,5 @@ TEST(TissueBeneath, IsSaidOfAnOutputThatNoRuleReaches) {
     region.inputs = {{"consistency", 5.5}};
     EXPECT_THAT(evaluateRegion(project, region).tissue.warnings,
                 ElementsAre("no rule reaches viscosity: it keeps 3 N·s/m"));
-    EXPECT_THAT(evaluate(region).unreached, ElementsAre(1U));
+    EXPECT_THAT(evaluate(region, usualWallThickness).unreached, ElementsAre(1U));
 }

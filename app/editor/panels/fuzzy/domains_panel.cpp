@@ -25,10 +25,12 @@ QVBoxLayout* plainColumn(QWidget* widget) {
 }
 
 /// Held by hand, else inferred.
-std::optional<double> outputOf(const Region& region, std::size_t output) {
-    if (const auto parameter = parameterOf(*region.system, output))
-        if (const auto held = valueOf(region.held, *parameter)) return held;
-    return evaluate(region).inference.outputs[output];
+std::optional<double> outputOf(const Region& region, std::size_t output, double wallThickness) {
+    const RegionTissue tissue = evaluate(region, wallThickness);
+    const auto parameter = parameterOf(*region.system, output);
+    const bool isHeld = parameter && valueOf(region.held, *parameter);
+    return isHeld ? inTermsOf(region.system->outputs[output], *parameter, tissue.values, wallThickness)
+                  : tissue.inference.outputs[output];
 }
 
 /// "5.500 kPa: flexible 0.92, medium 0.08"
@@ -198,7 +200,8 @@ void DomainsPanel::showVariable(const FuzzySystem& system) {
 std::optional<double> DomainsPanel::presentValue() const {
     const Region* shown = m_selection.selectedRegion();
     if (!shown || !system()) return std::nullopt;
-    if (m_place.side == FuzzySide::Outputs) return outputOf(*shown, m_place.index);
+    if (m_place.side == FuzzySide::Outputs)
+        return outputOf(*shown, m_place.index, m_document.project().base.wallThickness);
     return valueOf(shown->inputs, variable()->name);
 }
 

@@ -22,8 +22,10 @@ constexpr int widthForTwo = 640; ///< pixels, for two parts beside each other
 constexpr std::chrono::milliseconds patienceWithOld{250};
 
 QString outputUnit(const FuzzySystem& system, std::size_t output) {
+    const FuzzyVariable& variable = system.outputs[output];
     const auto parameter = parameterOf(system, output);
-    return parameter ? parameterFormat(*parameter).unit : QString::fromStdString(system.outputs[output].unit);
+    return parameter && !isInClinicalUnits(system, output) ? parameterFormat(*parameter).unit
+                                                           : QString::fromStdString(variable.unit);
 }
 
 QLabel* quietText(const QString& text) {
@@ -253,6 +255,15 @@ void WhyPanel::ask() {
     if (!m_wait.isActive()) m_wait.start();
 }
 
+/// The value held by hand in place of the chosen output, in its terms.
+std::optional<double> WhyPanel::heldOutput() const {
+    const FuzzyVariable& output = m_system->outputs[chosenIndex(m_output)];
+    const auto parameter = parameterOf(*m_system, chosenIndex(m_output));
+    if (!parameter || !valueOf(region()->held, *parameter)) return std::nullopt;
+    const double wallThickness = m_document.project().base.wallThickness;
+    return inTermsOf(output, *parameter, evaluate(*region(), wallThickness).values, wallThickness);
+}
+
 void WhyPanel::showAnswer() {
     const WhyAnswer answer = m_finder.answer();
     if (!m_system || !region()) return;
@@ -264,8 +275,7 @@ void WhyPanel::showAnswer() {
     m_rules->setExplanations(answer.rules);
     const std::optional<double> present = answer.output.value;
     m_conclusion->setExplanation(answer.output);
-    const auto parameter = parameterOf(*m_system, chosenIndex(m_output));
-    m_conclusion->setHeld(parameter ? valueOf(region()->held, *parameter) : std::nullopt);
+    m_conclusion->setHeld(heldOutput());
     m_curve->setPresent(answer.inputs[chosenIndex(m_across)], std::nullopt, present);
     m_map->setPresent(answer.inputs[chosenIndex(m_across)], answer.inputs[chosenIndex(m_up)], present);
     if (answer.drawn >= m_axesAsked && answer.curve != m_shownCurve) {

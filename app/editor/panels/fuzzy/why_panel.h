@@ -41,6 +41,7 @@ private:
     void chooseAxes();
     void ask();
     void showAnswer();
+    std::optional<double> heldOutput() const;
     void showStale(const WhyAnswer& answer);
     void setInputs(std::optional<double> across, std::optional<double> up);
 

@@ -1,6 +1,7 @@
 #include "app/editor/panels/tissue/tissue_panel.h"
 
 #include "app/editor/edits/input_edits.h"
+#include "app/editor/edits/tissue_edits.h"
 #include "app/editor/panels/fuzzy/spare_systems_button.h"
 #include "app/editor/panels/tissue/tissue_preset_button.h"
 #include "core/exchange/project/tissue_preset_file.h"
@@ -66,6 +67,12 @@ ElidedLabel* quietLine(const QString& name, QWidget* parent) {
     return line;
 }
 
+/// What spans decades is shown by ClinicalRows, not by a slider.
+bool hasSlider(const FuzzySystem* system, Parameter parameter) {
+    const auto output = system ? outputFor(*system, parameter) : std::nullopt;
+    return output && !isInClinicalUnits(*system, *output);
+}
+
 /// The preset that the tissue was taken from, and that it still is; one with words before one without.
 std::optional<TissuePreset> presetInForce(const Project& project, const Region* region) {
     static const std::vector<TissuePreset> presets = [] {
@@ -87,8 +94,8 @@ std::optional<TissuePreset> presetInForce(const Project& project, const Region* 
 TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
     : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
-      m_choice(new FuzzyChoice(this)), m_stiffening(new StiffeningRow(document, this)),
-      m_system(new QLabel(this)), m_relaxation(new QLabel(this)),
+      m_choice(new FuzzyChoice(this)), m_clinical(new ClinicalRows(this)),
+      m_stiffening(new StiffeningRow(document, this)), m_system(new QLabel(this)),
       m_users(quietLine(QStringLiteral("systemUsers"), this)),
       m_source(quietLine(QStringLiteral("tissueSource"), this)), m_hint(new QLabel(this)),
       m_warnings(new QLabel(this)) {
@@ -111,8 +118,8 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     m_hint->setWordWrap(true);
     m_tissue->body()->addWidget(m_hint);
     m_inputs = emptyColumn(m_tissue->body());
+    addClinicalRows();
     m_outputs = emptyColumn(m_results->body());
-    addRelaxation();
     m_results->body()->addWidget(m_stiffening);
     m_warnings->setProperty("warning", true);
     m_warnings->setWordWrap(true);
@@ -127,16 +134,18 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     show();
 }
 
-/// It stands above the results that it follows from, in sight without scrolling.
-void TissuePanel::addRelaxation() {
-    auto* caption = new QLabel(tr("relaxation time"), this);
-    caption->setProperty("quiet", true);
-    caption->setBuddy(m_relaxation);
-    m_relaxation->setObjectName(QStringLiteral("relaxationTime"));
-    m_relaxation->setProperty("value", true);
-    m_relaxation->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_results->addToHeader(caption);
-    m_results->addToHeader(m_relaxation);
+void TissuePanel::addClinicalRows() {
+    m_results->body()->addWidget(m_clinical);
+    connect(m_clinical, &ClinicalRows::youngsModulusEdited, this,
+            [this](double pascal) { setYoungsModulus(m_document, m_selection.region(), pascal); });
+    connect(m_clinical, &ClinicalRows::relaxationTimeEdited, this,
+            [this](double seconds) { setRelaxationTime(m_document, m_selection.region(), seconds); });
+    connect(m_clinical, &ClinicalRows::wallThicknessEdited, this, [this](double metres) {
+        m_document.edit(
+            tr("Set wall thickness"), [metres](Project& project) { project.base.wallThickness = metres; },
+            MergeKey(EditKind::WallThickness));
+    });
+    connect(m_clinical, &ClinicalRows::gestureFinished, &m_document, &Document::finishGesture);
 }
 
 const Region* TissuePanel::region() const {
@@ -158,10 +167,11 @@ void TissuePanel::show() {
     m_hint->setText(hint());
     m_hint->setVisible(!m_hint->text().isEmpty());
     m_stiffening->setVisible(!shown || !shown->ellipsoid);
-    const RegionTissue tissue = shown ? evaluate(*shown) : RegionTissue{};
+    const RegionTissue tissue =
+        shown ? evaluate(*shown, m_document.project().base.wallThickness) : RegionTissue{};
     for (const auto& refresh : m_refreshers)
         refresh(shown, tissue);
-    showRelaxation(tissue);
+    showClinically(tissue);
     QStringList warnings;
     for (const auto& warning : tissue.warnings)
         warnings << QString::fromStdString(warning);
@@ -189,19 +199,14 @@ void TissuePanel::showSource() {
                                 : tr("The tissue is not, or no longer, as a preset has it"));
 }
 
-/// Of what the tissue here is set to; nothing where the region leaves one of both to what lies beneath.
-void TissuePanel::showRelaxation(const RegionTissue& tissue) {
+/// Of what the tissue here is set to; nothing where the region leaves it to what lies beneath.
+void TissuePanel::showClinically(const RegionTissue& tissue) {
     const BaseTissue& base = m_document.project().base;
-    const auto springConstant = region() ? tissue.values.springConstant : std::optional(base.springConstant);
-    const auto viscosity = region() ? tissue.values.viscosity : std::optional(base.viscosity);
-    const bool isKnown = springConstant && viscosity && *springConstant > 0;
-    const double seconds = isKnown ? *viscosity / *springConstant : 0;
-    m_relaxation->setText(!isKnown      ? QString(QChar(0x2013))
-                          : seconds < 1 ? withUnit(1000 * seconds, QStringLiteral("ms"), 2)
-                                        : withUnit(seconds, QStringLiteral("s"), 2));
-    m_relaxation->setToolTip(tr(
-        "Viscosity over spring constant: stretched tissue that is let go has a third of its way left after "
-        "this time. A dent takes several times as long: it bends the surface and hardly stretches it."));
+    const Region* shown = region();
+    m_clinical->setTissue({shown ? tissue.values.springConstant : std::optional(base.springConstant),
+                           shown ? tissue.values.viscosity : std::optional(base.viscosity),
+                           base.wallThickness});
+    m_clinical->showWallThickness(!shown || !shown->ellipsoid);
 }
 
 QString TissuePanel::keptNote(const Region& shown, Parameter parameter) {
@@ -245,11 +250,11 @@ void TissuePanel::rebuild() {
     m_inputs->setVisible(m_builtFor != nullptr);
     if (m_builtFor)
         for (std::size_t output = 0; output < m_builtFor->outputs.size(); ++output)
-            addOutput(output);
+            if (!isInClinicalUnits(*m_builtFor, output)) addOutput(output);
     for (const Parameter parameter : everyParameter) {
         // The organ's mass stands beside its size.
         if (!shown && parameter != Parameter::Mass) addBaseParameter(parameter);
-        if (shown && !(m_builtFor && outputFor(*m_builtFor, parameter))) addPlainParameter(parameter);
+        if (shown && !hasSlider(m_builtFor.get(), parameter)) addPlainParameter(parameter);
     }
     tabInLayoutOrder(*this);
 }
@@ -293,12 +298,14 @@ void TissuePanel::addOutput(std::size_t index) {
 
 void TissuePanel::connectOutput(LinguisticSlider* row, Parameter parameter, std::size_t index) {
     QToolButton* hold = row->addHoldButton();
-    connect(row, &LinguisticSlider::valueEdited, this,
-            [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
+    connect(row, &LinguisticSlider::valueEdited, this, [this, parameter](double value) {
+        setParameter(m_document, m_selection.region(), parameter, value);
+    });
     connect(row, &LinguisticSlider::editingFinished, &m_document, &Document::finishGesture);
     connect(hold, &QToolButton::clicked, this, [this, row, hold, parameter](bool held) {
-        if (!held) return setHeld(parameter, std::nullopt);
-        if (row->field()->value()) return setHeld(parameter, row->field()->value());
+        if (!held) return letParameterGo(m_document, m_selection.region(), parameter);
+        if (const auto value = row->field()->value())
+            return holdParameter(m_document, m_selection.region(), parameter, *value);
         // Nothing to hold yet: the number is asked for.
         hold->setChecked(false);
         row->field()->setFocus();
@@ -322,41 +329,41 @@ void TissuePanel::connectOutput(LinguisticSlider* row, Parameter parameter, std:
 void TissuePanel::addPlainParameter(Parameter parameter) {
     auto* row = new ParameterRow(parameter, Extent::Region, m_outputs);
     m_outputs->layout()->addWidget(row);
-    connect(row, &ParameterRow::valueEdited, this,
-            [this, parameter](double value) { setHeld(parameter, value, Merging::WhileMoved); });
-    connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
-    connect(row, &ParameterRow::released, this, [this, parameter] { setHeld(parameter, std::nullopt); });
-    m_refreshers.emplace_back([this, row, parameter](const Region* shown, const RegionTissue&) {
-        row->setValue(valueOf(shown->held, parameter));
-        row->setBeneath(m_kept.text(m_document.project(), *shown, parameter));
+    connect(row, &ParameterRow::valueEdited, this, [this, parameter](double value) {
+        setParameter(m_document, m_selection.region(), parameter, value);
     });
+    connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
+    connect(row, &ParameterRow::released, this,
+            [this, parameter] { letParameterGo(m_document, m_selection.region(), parameter); });
+    m_refreshers.emplace_back([this, row, parameter](const Region* shown, const RegionTissue& tissue) {
+        const bool isHeld = valueOf(shown->held, parameter).has_value();
+        const auto inferred = ofSystem(tissue, parameter);
+        const QString kept = m_kept.text(m_document.project(), *shown, parameter);
+        row->setValue(isHeld ? valueOf(shown->held, parameter) : inferred,
+                      isHeld ? ParameterRow::Manner::Held : ParameterRow::Manner::Usual);
+        row->setRemark(inferred && !isHeld ? tr("as the system says")
+                       : kept.isEmpty()    ? tr("the region reaches no node")
+                       : isHeld            ? tr("in place of %1").arg(kept)
+                                           : tr("it keeps %1").arg(kept));
+    });
+}
+
+/// What the system in clinical units comes to for a parameter.
+std::optional<double> TissuePanel::ofSystem(const RegionTissue& tissue, Parameter parameter) const {
+    return m_builtFor && outputFor(*m_builtFor, parameter) ? valueOf(tissue.values, parameter) : std::nullopt;
 }
 
 void TissuePanel::addBaseParameter(Parameter parameter) {
     auto* row = new ParameterRow(parameter, Extent::Base, m_outputs);
     m_outputs->layout()->addWidget(row);
     connect(row, &ParameterRow::valueEdited, this, [this, parameter](double value) {
-        const QString name = parameterName(parameter, Extent::Base);
-        m_document.edit(
-            tr("Set %1").arg(name), [&](Project& project) { valueOf(project.base, parameter) = value; },
-            MergeKey(EditKind::BaseTissue, static_cast<std::uint64_t>(parameter)));
+        setParameter(m_document, m_selection.region(), parameter, value);
     });
     connect(row, &ParameterRow::gestureFinished, &m_document, &Document::finishGesture);
     m_refreshers.emplace_back([this, row, parameter](const Region*, const RegionTissue&) {
         BaseTissue base = m_document.project().base;
         row->setValue(valueOf(base, parameter));
     });
-}
-
-void TissuePanel::setHeld(Parameter parameter, std::optional<double> value, Merging merging) {
-    const auto selected = m_selection.region();
-    if (!selected) return;
-    const QString name = parameterName(parameter, Extent::Region);
-    const EditKind kind = merging == Merging::WhileMoved ? EditKind::HeldValue : EditKind::Alone;
-    m_document.edit(
-        (value ? tr("Hold %1") : tr("Let go of %1")).arg(name),
-        [&](Project& project) { valueOf(partOf(project.regions, *selected).held, parameter) = value; },
-        {kind, *selected, static_cast<std::uint64_t>(parameter)});
 }
 
 void TissuePanel::chooseSystem(const std::shared_ptr<const FuzzySystem>& system) {

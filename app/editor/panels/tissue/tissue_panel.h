@@ -5,6 +5,7 @@
 #include "app/editor/edits/system_reach.h"
 #include "app/editor/panels/fuzzy/fuzzy_choice.h"
 #include "app/editor/panels/parameter_row.h"
+#include "app/editor/panels/tissue/clinical_rows.h"
 #include "app/editor/panels/tissue/kept_values.h"
 #include "app/editor/panels/tissue/stiffening_row.h"
 #include "widgets/fuzzy/linguistic_slider.h"
@@ -33,13 +34,12 @@ private:
     void connectOutput(LinguisticSlider* row, Parameter parameter, std::size_t index);
     void addPlainParameter(Parameter parameter);
     void addBaseParameter(Parameter parameter);
-    enum class Merging { Never, WhileMoved };
-    void setHeld(Parameter parameter, std::optional<double> value, Merging merging = Merging::Never);
     void chooseSystem(const std::shared_ptr<const FuzzySystem>& system);
     QString hint() const;
     void showUsers();
-    void addRelaxation();
-    void showRelaxation(const RegionTissue& tissue);
+    void addClinicalRows();
+    void showClinically(const RegionTissue& tissue);
+    std::optional<double> ofSystem(const RegionTissue& tissue, Parameter parameter) const;
     void showSource();
     /// What is said of an output that no rule reaches.
     QString keptNote(const Region& shown, Parameter parameter);
@@ -49,8 +49,9 @@ private:
     SystemReach& m_reach;
     Section *m_tissue, *m_results;
     FuzzyChoice* m_choice;
+    ClinicalRows* m_clinical;
     StiffeningRow* m_stiffening;
-    QLabel *m_system, *m_relaxation, *m_users, *m_source, *m_hint, *m_warnings;
+    QLabel *m_system, *m_users, *m_source, *m_hint, *m_warnings;
     KeptValues m_kept;
     QWidget *m_inputs, *m_outputs;
     std::shared_ptr<const FuzzySystem> m_builtFor;

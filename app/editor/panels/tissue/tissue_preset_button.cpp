@@ -12,10 +12,12 @@ namespace {
 
 QString presetToolTip(const TissuePreset& preset, bool isPart) {
     QStringList parts{QString::fromStdString(preset.description),
-                      QObject::tr("Published: %1.").arg(QString::fromStdString(publishedText(preset))),
-                      QString::fromStdString(preset.source),
-                      QObject::tr("Taken as published, whatever the size of this organ and the number of its "
-                                  "springs: nothing is scaled.")};
+                      (isMeasured(preset) ? QObject::tr("Measured: %1.") : QObject::tr("Published: %1."))
+                          .arg(QString::fromStdString(publishedText(preset))),
+                      QString::fromStdString(preset.source)};
+    if (!isMeasured(preset))
+        parts << QObject::tr("Taken as published, whatever the size of this organ and the number of its "
+                             "springs: nothing is scaled.");
     if (isPart && preset.system)
         parts << QObject::tr("The selected region takes the tissue; mass and tethers are for a whole organ.");
     QString text; // rich, so that it is wrapped
@@ -30,8 +32,9 @@ TissuePresetButton::TissuePresetButton(Document& document, Selection& selection,
     : QToolButton(parent), m_document(document), m_selection(selection) {
     setObjectName(QStringLiteral("headerButton"));
     setText(tr("preset…"));
-    setToolTip(tr("Tissue as it was published, for what is selected: fallopian tube, uterus, bowel, "
-                  "ventricle. Each says where it is from"));
+    setToolTip(
+        tr("Tissue for what is selected: as it was measured, from brain to cartilage, or as simulators "
+           "published it. Each says where it is from"));
     setAccessibleName(tr("Published tissue"));
     setPopupMode(QToolButton::InstantPopup);
     setFocusPolicy(Qt::TabFocus);
@@ -54,8 +57,12 @@ bool TissuePresetButton::isPartSelected() const {
 
 void TissuePresetButton::fill() {
     menu()->clear();
+    menu()->addSection(tr("Tissue as it was measured"));
+    bool isOfSimulator = false;
     for (const std::string& name : tissuePresetNames()) {
         const TissuePreset preset = tissuePreset(name);
+        if (!isOfSimulator && !isMeasured(preset)) menu()->addSection(tr("Tissue of published simulators"));
+        isOfSimulator = !isMeasured(preset);
         QAction* action = menu()->addAction(QString::fromStdString(preset.title) + QStringLiteral("…"));
         action->setObjectName(QString::fromStdString(name));
         action->setToolTip(presetToolTip(preset, isPartSelected()));

@@ -76,7 +76,7 @@ TEST_F(KeyboardTest, DoesTheMainJobAlone) {
 
     tabTo([](QWidget* focus) { return focus->objectName() == "systemChoice"; });
     const auto system = project().regions[added].system;
-    press(Qt::Key_Up);
+    press(Qt::Key_Down);
     EXPECT_NE(project().regions[added].system, system);
     ASSERT_NE(project().regions[added].system, nullptr);
     tabTo([](QWidget* focus) { return qobject_cast<ValueSlider*>(focus) != nullptr; });

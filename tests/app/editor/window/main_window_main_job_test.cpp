@@ -72,7 +72,7 @@ public:
         EXPECT_GT(evaluateRegion(project(), project().regions[0]).nodes, 0U);
         auto* choice = child<QComboBox>("systemChoice");
         const auto first = project().regions[0].system;
-        QTest::keyClick(choice, Qt::Key_Up);
+        QTest::keyClick(choice, Qt::Key_Down);
         ASSERT_NE(project().regions[0].system, first);
         ASSERT_NE(project().regions[0].system, nullptr);
         const std::string variable = project().regions[0].system->inputs[0].name;

@@ -154,6 +154,7 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(adjusted), 11);
     EXPECT_EQ(version(filledProject()), 12);
     EXPECT_EQ(version(sheetProject()), projectFileVersion);
+    EXPECT_EQ(version(clinicalProject()), projectFileVersion);
     Project pressed = paintedProject();
     for (TextureLayer& layer : pressed.layers)
         for (auto& stroke : layer.strokes) {

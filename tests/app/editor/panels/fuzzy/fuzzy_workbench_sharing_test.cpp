@@ -17,7 +17,7 @@ class SharedSystemTest : public EditorTest {
 protected:
     void SetUp() override {
         open(makeSample("tube"));
-        press(Qt::Key_R, Qt::ControlModifier);
+        addPublishedRegion();
         before = project();
         ASSERT_EQ(system(0), system(1));
     }

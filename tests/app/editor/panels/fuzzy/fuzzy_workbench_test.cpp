@@ -20,7 +20,7 @@ class FuzzyWorkbenchTest : public EditorTest {
 protected:
     void SetUp() override {
         open(makeSample("tube"));
-        press(Qt::Key_R, Qt::ControlModifier);
+        addPublishedRegion();
         meanEveryRegion();
     }
     QWidget* ownWindow() const { return child<QWidget>("workbenchWindow"); }

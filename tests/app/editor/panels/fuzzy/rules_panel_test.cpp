@@ -22,7 +22,7 @@ class RulesPanelTest : public EditorTest {
 protected:
     void SetUp() override {
         open(makeSample("tube"));
-        press(Qt::Key_R, Qt::ControlModifier);
+        addPublishedRegion();
         meanEveryRegion();
         chooseTab("Rules");
         panel = window->findChild<RulesPanel*>();
@@ -202,7 +202,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceWaitsWhileAnotherRegionIsSelected) {
 TEST_F(RulesPanelTest, WhatIsNotInForceWaitsBesideARegionThatReadsAlike) {
     FuzzySystem alike = system();
     alike.note = "another's";
-    press(Qt::Key_R, Qt::ControlModifier);
+    addPublishedRegion();
     window->document().edit("alike", [&](Project& p) {
         setSystem(p, p.regions.back().id, std::make_shared<const FuzzySystem>(alike));
     });
@@ -233,7 +233,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceIsNotLostWithTheWindowUnasked) {
 
 TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
     window->document().edit("alone", [](Project& p) { p.regions.erase(p.regions.begin()); });
-    press(Qt::Key_R, Qt::ControlModifier);
+    addPublishedRegion();
     FuzzySystem shorter = system();
     shorter.rules.pop_back();
     window->document().edit("other", [&](Project& p) {
@@ -257,7 +257,7 @@ TEST_F(RulesPanelTest, WhatIsNotInForceDoesNotGoOverToAnotherSystem) {
 }
 
 TEST_F(RulesPanelTest, WhatIsNotInForceGoesWithItsSystemWhereAnotherRegionSpeaksIt) {
-    press(Qt::Key_R, Qt::ControlModifier);
+    addPublishedRegion();
     const std::size_t last = project().regions.size() - 1;
     ASSERT_NE(project().regions[last].system.get(), project().regions[last - 1].system.get());
     selection().setRegion(project().regions[last - 1].id);

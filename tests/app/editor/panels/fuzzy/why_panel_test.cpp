@@ -56,7 +56,7 @@ protected:
     template<typename Widget> Widget* child(const char* name) { return panel.findChild<Widget*>(name); }
     double input(std::size_t index) { return document.project().regions[0].inputs[index].second; }
     std::optional<double> inferred(std::size_t output) {
-        return evaluate(document.project().regions[0]).inference.outputs[output];
+        return evaluate(document.project().regions[0], usualWallThickness).inference.outputs[output];
     }
 
     Document document;

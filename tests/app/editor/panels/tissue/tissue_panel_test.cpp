@@ -31,6 +31,13 @@ protected:
         selection.setRegion(document.project().regions.front().id);
     }
     QString text(const char* name) const { return panel.findChild<QLabel*>(name)->text(); }
+    NumberField* field(const char* name) const { return panel.findChild<NumberField*>(name); }
+    QString shownIn(const char* name) const { return field(name)->text(); }
+    void type(const char* name, const QString& text) {
+        field(name)->setText(text);
+        field(name)->setModified(true);
+        field(name)->takeTyped();
+    }
     /// All labels that hold these words.
     int labelsWith(const QString& words) const {
         int count = 0;
@@ -104,15 +111,53 @@ TEST_F(TissuePanelTest, SaysHowSoonStretchedTissueComesBack) {
     project.regions[0].held.springConstant = 2.5;
     project.regions[0].held.viscosity = 11;
     show(project);
-    EXPECT_EQ(text("relaxationTime"), "4.4 s");
+    EXPECT_EQ(shownIn("relaxationTime"), "4.400 s");
     document.edit("thin", [](Project& p) { p.regions[0].held.viscosity = 0.5; });
-    EXPECT_EQ(text("relaxationTime"), "200 ms");
+    EXPECT_EQ(shownIn("relaxationTime"), "0.2000 s");
     document.edit("limp", [](Project& p) { p.regions[0].held.springConstant = 0; });
-    EXPECT_EQ(text("relaxationTime"), QString(QChar(0x2013))) << "nothing draws it back";
+    EXPECT_EQ(shownIn("relaxationTime"), QString(QChar(0x2013))) << "nothing draws it back";
     selection.setRegion(std::nullopt);
     document.edit("base", [](Project& p) {
         p.base.springConstant = 16;
         p.base.viscosity = 2.88;
     });
-    EXPECT_EQ(text("relaxationTime"), "180 ms");
+    EXPECT_EQ(shownIn("relaxationTime"), "0.1800 s");
+}
+
+TEST_F(TissuePanelTest, TakesYoungsModulusByHand) {
+    Project project = makeSample("liver");
+    project.regions.resize(1);
+    show(project);
+    const auto region = [&]() -> const Region& { return document.project().regions[0]; };
+    type("youngsModulus", "4 kPa");
+    EXPECT_NEAR(*region().held.springConstant, springConstantOfWall(4000, 0.003), 1e-9);
+    type("relaxationTime", "250 ms");
+    EXPECT_NEAR(*region().held.viscosity, 0.25 * springConstantOfWall(4000, 0.003), 1e-9);
+    type("wallThickness", "6");
+    EXPECT_EQ(document.project().base.wallThickness, 0.006);
+    EXPECT_EQ(shownIn("youngsModulus"), "2.000 kPa") << "the same springs make a wall twice as thick";
+    document.undoStack()->undo();
+    EXPECT_EQ(shownIn("youngsModulus"), "4.000 kPa");
+    selection.setRegion(std::nullopt);
+    type("youngsModulus", "10");
+    EXPECT_NEAR(document.project().base.springConstant, springConstantOfWall(10000, 0.003), 1e-9);
+}
+
+TEST_F(TissuePanelTest, TakesYoungsModulusInWordsWhereTheSystemHasSome) {
+    Project project = makeSample("liver");
+    project.regions.resize(1);
+    setSystem(project, project.regions[0].id, std::make_shared<const FuzzySystem>(fuzzyPreset("organ")));
+    show(project);
+    const auto region = [&]() -> const Region& { return document.project().regions[0]; };
+    EXPECT_FALSE(panel.findChild<LinguisticSlider*>("output-youngs_modulus")) << "it spans decades";
+    type("youngsModulus", "10");
+    EXPECT_NEAR(*valueOf(region().inputs, "firmness"), 4, 1e-4);
+    EXPECT_FALSE(region().held.springConstant);
+    EXPECT_EQ(shownIn("youngsModulus"), "10.00 kPa");
+    type("relaxationTime", "0.2");
+    EXPECT_NEAR(*valueOf(region().inputs, "springiness"), 5, 1e-4);
+    type("youngsModulus", "9000");
+    EXPECT_NEAR(*region().held.springConstant, springConstantOfWall(9e6, 0.003), 1e-3)
+        << "no word reaches it";
+    EXPECT_EQ(shownIn("relaxationTime"), "0.2000 s") << "the time is the system's";
 }
