@@ -53,8 +53,8 @@ BaseTissue defaultTissue(double mass, double nodes, double share) {
 
 /// Tissue and tethers as those of a surface of springs suit it. Precondition: the base has its mass, and the
 /// surface springs.
-void tieToSurroundings(Project& project, const SpringNetwork& surface) {
-    const double share = tetherShare(surface);
+void tieToSurroundings(Project& project, const SpringNetwork& surface, const TriangleMesh& mesh) {
+    const double share = tetherShare(surface, mesh);
     project.base = defaultTissue(project.base.mass, static_cast<double>(surface.restPositions.size()), share);
     const TetherRule rule =
         defaultTethers(surface, share, project.base.springConstant, project.base.viscosity);
@@ -161,9 +161,9 @@ Project projectOn(std::shared_ptr<const SpringNetwork> network, std::string name
     if (kind == Detail::Kind::Rigid)
         hangOnFixedNodes(project);
     else if (kind == Detail::Kind::Filled)
-        tieToSurroundings(project, networkFromMesh(surface.mesh));
+        tieToSurroundings(project, networkFromMesh(surface.mesh), surface.mesh);
     else if (!project.network->springs.empty())
-        tieToSurroundings(project, *project.network);
+        tieToSurroundings(project, *project.network, surface.mesh);
     project.mesh = std::make_shared<const TriangleMesh>(std::move(surface.mesh));
     project.importReport = std::make_shared<const RepairReport>(std::move(surface.report));
     return project;

@@ -3,6 +3,7 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/model/net_elasticity.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace esm {
@@ -83,19 +84,24 @@ TetherRule asStrong(TetherRule rule, std::size_t outerBefore, std::size_t outerA
 
 // In a row of springs c with a tether k at each node, a displacement u at rest fulfils c·e²·u″ = k·u, e the
 // springs' length: it fades as exp(−x/L) with L = e·sqrt(c/k). With L the given part of the organ's size, k/c
-// is (e/L)².
-double tetherShare(const SpringNetwork& network) {
-    const double extent = pokeExtent * boundingBox(network.restPositions).diagonal().norm();
-    const double edgesPerExtent = extent / meanRestLength(network);
-    return 1 / (edgesPerExtent * edgesPerExtent);
+// is (e/L)². Of a regular net a node has the area √3/2·e²; taken from the area, all tethers together hold as
+// strongly whatever the number of nodes.
+double tetherShare(const SpringNetwork& network, const TriangleMesh& mesh) {
+    const double extent = pokeExtent * boundingBox(mesh.vertices).diagonal().norm();
+    const double area = surfaceArea(mesh);
+    const double length = meanRestLength(network);
+    const double perNode = 2 / std::sqrt(3.0) * area / static_cast<double>(network.restPositions.size());
+    return (area > 0 ? perNode : length * length) / (extent * extent);
 }
 
 // The surrounding tissue [R 5.1], with the tissue's own relation of viscosity to stiffness, so that the organ
 // on its tethers comes to rest as its tissue does. Every third node has one, as at the source, three times as
-// strong as one at every node would be; small parts, which that would not hold, are the reason to tie all.
+// strong as one at every node would be; small parts, which that would not hold, are a reason to tie all. An
+// even sheet is tied everywhere: between every third node it would sag by how it is meshed.
 TetherRule defaultTethers(const SpringNetwork& network, double share, double springConstant,
                           double viscosity) {
-    const std::uint32_t every = everyPartIsHeld(network, 3) ? 3 : 1;
+    const bool isEveryThird = !network.sheet && everyPartIsHeld(network, 3);
+    const std::uint32_t every = isEveryThird ? 3 : 1;
     return {every, every * share * springConstant, every * share * viscosity};
 }
 

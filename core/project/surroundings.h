@@ -30,7 +30,8 @@ TetherRule asStrong(TetherRule rule, std::size_t outerBefore, std::size_t outerA
 
 /// The part of a spring's constant and viscosity for a tether at each node with which a poke takes along the
 /// same part of the organ however fine its mesh is. Precondition: the network has springs.
-double tetherShare(const SpringNetwork& network);
+/// @param mesh that is drawn, whose area and size are those of the organ
+double tetherShare(const SpringNetwork& network, const TriangleMesh& mesh);
 
 /// Tethers of a share of these constants at each node, or every third node with three times as much.
 /// @param springConstant N/m

@@ -45,6 +45,12 @@ TEST(Surroundings, HoldABodyAsStronglyAsItsSurface) {
     EXPECT_NEAR(strengthOf(withDetail(solid, {})) / strengthOf(hollow), 1, 0.05);
 }
 
+TEST(Surroundings, HoldAsStronglyWhateverTheNumberOfNodes) {
+    const double every = strengthOf(lump({Detail::Kind::EveryVertex, 0, {}, true}));
+    for (const std::size_t nodes : {900U, 300U, 100U})
+        EXPECT_NEAR(strengthOf(lump({Detail::Kind::Nodes, nodes, {}, true})) / every, 1, 1e-9) << nodes;
+}
+
 TEST(Surroundings, HoldEachNodeByItsShareOfTheSurface) {
     const Project solid = lump(filled);
     const std::vector<OuterNode> outer = outerNodes(*solid.network);

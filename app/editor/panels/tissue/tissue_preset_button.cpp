@@ -26,6 +26,11 @@ QString presetToolTip(const TissuePreset& preset, bool isPart) {
     return text;
 }
 
+/// Styles need not show the titles that QMenu has for sections.
+void addHeading(QMenu& menu, const QString& title) {
+    menu.addAction(title)->setEnabled(false);
+}
+
 } // namespace
 
 TissuePresetButton::TissuePresetButton(Document& document, Selection& selection, QWidget* parent)
@@ -57,11 +62,11 @@ bool TissuePresetButton::isPartSelected() const {
 
 void TissuePresetButton::fill() {
     menu()->clear();
-    menu()->addSection(tr("Tissue as it was measured"));
+    addHeading(*menu(), tr("Tissue as it was measured"));
     bool isOfSimulator = false;
     for (const std::string& name : tissuePresetNames()) {
         const TissuePreset preset = tissuePreset(name);
-        if (!isOfSimulator && !isMeasured(preset)) menu()->addSection(tr("Tissue of published simulators"));
+        if (!isOfSimulator && !isMeasured(preset)) addHeading(*menu(), tr("Tissue of published simulators"));
         isOfSimulator = !isMeasured(preset);
         QAction* action = menu()->addAction(QString::fromStdString(preset.title) + QStringLiteral("…"));
         action->setObjectName(QString::fromStdString(name));
