@@ -91,13 +91,12 @@ template<class Real>
 }
 
 template<class Real>
-void hingeForces(const HingeBlocks<Real>& blocks, const NodeRecord<Real>* records, SliceRange range) {
-    for (std::size_t i = range.first; i < range.last; ++i) {
-        const std::size_t block = range.list ? range.list[i] : i;
+void hingeForces(const HingeBlocks<Real>& blocks, const NodeRecord<Real>* records, std::size_t first,
+                 std::size_t last) {
+    for (std::size_t block = first; block < last; ++block)
         for (std::size_t row = 0; row < sliceHeight; row += Simd<Real>::width)
             computeHinges<Real>({blocks.nodes[block], blocks.lanes + block * hingeLanes, row}, records,
                                 blocks.forces + 4 * (block * sliceHeight + row));
-    }
 }
 
 template<class Real> constexpr SliceFunctions<Real> sliceFunctions() {

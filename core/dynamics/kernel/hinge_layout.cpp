@@ -69,15 +69,11 @@ HingeLayout makeHingeLayout(const SpringSystem& system, const SliceLayout& slice
     HingeLayout layout;
     layout.order = sortedByRows(rows);
     layout.nodes.resize((rows.size() + sliceHeight - 1) / sliceHeight);
-    layout.blocksOfSlice.resize(slices.sliceCount());
     for (std::uint32_t i = 0; i < layout.order.size(); ++i) {
-        const auto block = static_cast<std::uint32_t>(i / sliceHeight);
         for (std::size_t corner = 0; corner < 4; ++corner) {
             const std::uint32_t row = rows[layout.order[i]][corner];
-            layout.nodes[block].offset[corner][i % sliceHeight] =
+            layout.nodes[i / sliceHeight].offset[corner][i % sliceHeight] =
                 static_cast<std::uint32_t>(row * recordSize);
-            Numbers& blocks = layout.blocksOfSlice[row / sliceHeight];
-            if (blocks.empty() || blocks.back() != block) blocks.push_back(block);
         }
     }
     placeForces(placesByRow(rows, layout.order, slices.rowCount()), layout);

@@ -14,7 +14,6 @@ struct HingeLayout {
     LargeVector<kernel::HingeNodes> nodes;
     std::vector<std::uint32_t> starts; ///< of each slice, its first column of places, and the end
     LargeVector<kernel::ForcePlaces> places;
-    std::vector<std::vector<std::uint32_t>> blocksOfSlice;
 
     std::size_t blockCount() const { return nodes.size(); }
     /// Places behind the last are of the one that is no force.

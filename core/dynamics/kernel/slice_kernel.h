@@ -104,9 +104,10 @@ template<class Real> struct Passage {
 
 template<class Real> using SliceFunction = void (*)(const Slices<Real>&, const Passage<Real>&, SliceRange);
 
-/// Computes the forces of blocks of hinges.
+/// Computes the forces of the hinges of the blocks `first` to `last`.
 template<class Real>
-using HingeFunction = void (*)(const HingeBlocks<Real>&, const NodeRecord<Real>*, SliceRange);
+using HingeFunction = void (*)(const HingeBlocks<Real>&, const NodeRecord<Real>*, std::size_t first,
+                               std::size_t last);
 
 /// By law (0 linear, 1 biphasic) and damping (0 isotropic, 1 axial).
 template<class Real> struct SliceFunctions {

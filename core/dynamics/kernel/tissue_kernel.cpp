@@ -166,20 +166,20 @@ void TissueKernel<Real>::store(const State& state, Vectors& positions, Vectors& 
 }
 
 template<class Real> void TissueKernel<Real>::step(const State& from, State& to, const Step& step) const {
-    computeHinges(from, nullptr);
+    computeHinges(from);
     runAll(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step));
 }
 
 template<class Real>
 void TissueKernel<Real>::step(const State& from, State& to, const Step& step, const SliceList& slices) const {
-    computeHinges(from, &slices);
+    computeHinges(from);
     runList(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step),
             slices);
 }
 
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates) const {
-    computeHinges(state, nullptr);
+    computeHinges(state);
     runAll(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
            passage<Real>(state, rates, {0, gravity}));
 }
@@ -187,7 +187,7 @@ void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravit
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates,
                                const SliceList& slices) const {
-    computeHinges(state, &slices);
+    computeHinges(state);
     runList(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
             passage<Real>(state, rates, {0, gravity}), slices);
 }
@@ -225,32 +225,15 @@ template<class Real> kernel::Slices<Real> TissueKernel<Real>::slices() const {
              m_hingeForces.data()}};
 }
 
-/// In ascending order, each once.
-template<class Real>
-typename TissueKernel<Real>::SliceList TissueKernel<Real>::blocksOf(const SliceList& slices) const {
-    std::vector<char> isNeeded(m_hingeLayout.blockCount(), 0);
-    for (const std::uint32_t slice : slices)
-        for (const std::uint32_t block : m_hingeLayout.blocksOfSlice[slice])
-            isNeeded[block] = 1;
-    SliceList blocks;
-    for (std::uint32_t block = 0; block < isNeeded.size(); ++block)
-        if (isNeeded[block]) blocks.push_back(block);
-    return blocks;
-}
-
-/// Before the slices that sum up what hinges do. @param slices those that will; null: all
-template<class Real>
-void TissueKernel<Real>::computeHinges(const State& from, const SliceList* slices) const {
+/// Before slices sum up what hinges do to their nodes; of all hinges, whichever slices these are.
+template<class Real> void TissueKernel<Real>::computeHinges(const State& from) const {
     if (m_hingeForces.empty()) return;
-    const SliceList list = slices ? blocksOf(*slices) : SliceList{};
-    const std::size_t count = slices ? list.size() : m_hingeLayout.blockCount();
+    const std::size_t count = m_hingeLayout.blockCount();
     const std::size_t threads = threadsFor(columnsPerHingeBlock * count);
     const std::size_t parts = threads > 1 ? partsPerThread * threads : 1;
     const kernel::HingeBlocks<Real> blocks{m_hingeLayout.nodes.data(), m_hinges.data(), m_hingeForces.data()};
     const auto compute = [&](std::size_t part) {
-        m_functions->hingeForces(
-            blocks, from.data(),
-            {count * part / parts, count * (part + 1) / parts, slices ? list.data() : nullptr});
+        m_functions->hingeForces(blocks, from.data(), count * part / parts, count * (part + 1) / parts);
     };
     if (parts == 1) return compute(0);
     m_team->run(parts, compute, threads);

@@ -71,8 +71,7 @@ private:
     void setTethers(const SpringSystem& system);
     void partition();
     std::size_t threadsFor(std::size_t columns) const;
-    SliceList blocksOf(const SliceList& slices) const;
-    void computeHinges(const State& from, const SliceList* slices) const;
+    void computeHinges(const State& from) const;
     kernel::Slices<Real> slices() const;
     void runAll(Function function, const kernel::Passage<Real>& passage) const;
     void runList(Function function, const kernel::Passage<Real>& passage, const SliceList& list) const;

@@ -16,22 +16,16 @@ namespace {
 /// back, they go farther than their springs tell.
 constexpr double restingShare = 0.05;
 
-/// The slices that springs and hinges join, in both directions and each once.
+/// The slices that springs join, in both directions and each once.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> joinedSlices(const SpringSystem& system,
                                                                   const std::vector<std::uint32_t>& sliceOf) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    const auto join = [&](std::uint32_t node, std::uint32_t other) {
-        const std::uint32_t first = sliceOf[node], second = sliceOf[other];
-        if (first == second) return;
+    for (const auto& spring : system.springs) {
+        const std::uint32_t first = sliceOf[spring.first], second = sliceOf[spring.second];
+        if (first == second) continue;
         pairs.emplace_back(first, second);
         pairs.emplace_back(second, first);
-    };
-    for (const auto& spring : system.springs)
-        join(spring.first, spring.second);
-    for (const auto& hinge : system.hinges)
-        for (std::size_t i = 0; i < 4; ++i)
-            for (std::size_t j = 0; j < i; ++j)
-                join(hinge.nodes[i], hinge.nodes[j]);
+    }
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     return pairs;
@@ -44,12 +38,15 @@ template<class Real> Real norm(const Real (&components)[4]) {
 
 } // namespace
 
+// A wall bends as slowly as it is long and thin, far more slowly than its springs tell: left to rest by
+// these, a strip that hangs down would stop half-way.
 template<class Real>
 ActiveSlices<Real>::ActiveSlices(const SpringSystem& system, const TissueKernel<Real>& kernel,
                                  double tolerance)
-    : m_leastWay(static_cast<Real>(restingShare * tolerance)), m_isActive(kernel.sliceCount()) {
+    : m_leastWay(system.hinges.empty() ? static_cast<Real>(restingShare * tolerance) : 0),
+      m_isActive(kernel.sliceCount()) {
     activateAll();
-    if (tolerance <= 0) return;
+    if (m_leastWay <= 0) return;
     std::vector<std::uint32_t> sliceOf(kernel.nodeCount());
     for (std::size_t node = 0; node < sliceOf.size(); ++node)
         sliceOf[node] = static_cast<std::uint32_t>(kernel.sliceOf(node));
@@ -118,9 +115,9 @@ template<class Real> void ActiveSlices<Real>::findBorder() {
 }
 
 // A ring of neighbours is kept awake around what moves. One evaluation of the forces carries motion no
-// farther than along the springs and hinges of a node, so that it cannot pass the ring unseen: follow() asks
-// the slices of the border alone, which costs next to nothing in every step, and release() looks at all that
-// is active now and then.
+// farther than along the springs of a node, so that it cannot pass the ring unseen: follow() asks the slices
+// of the border alone, which costs next to nothing in every step, and release() looks at all that is active
+// now and then.
 template<class Real>
 typename ActiveSlices<Real>::SliceList ActiveSlices<Real>::release(const State& before, const State& state,
                                                                    double timeStep) {
