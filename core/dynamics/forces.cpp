@@ -1,5 +1,6 @@
 #include "core/dynamics/forces.h"
 
+#include "core/dynamics/hinge_force.h"
 #include "core/dynamics/spring_force.h"
 
 #include <utility>
@@ -16,6 +17,8 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
         forces[spring.first] += force;
         forces[spring.second] -= force;
     }
+    for (const auto& hinge : system.hinges)
+        addToNodes(hinge, elasticForces(hinge, ofNodes(hinge, positions)), forces);
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)
         forces[tether.node] -= tether.springConstant * (positions[tether.node] - rest[tether.node]);
@@ -30,6 +33,8 @@ void addDampingForces(const SpringSystem& system, Damping damping, const Vectors
         forces[spring.first] += force;
         forces[spring.second] -= force;
     }
+    for (const auto& hinge : system.hinges)
+        addToNodes(hinge, dampingForces(hinge, ofNodes(hinge, velocities)), forces);
     for (const Tether& tether : system.tethers)
         forces[tether.node] -= tether.viscosity * velocities[tether.node];
 }
@@ -51,6 +56,12 @@ Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes, const SpringSys
             dampingForce(spring, damping, between, velocities[first] - velocities[second]);
         force += isMeant[first] ? onFirst : -onFirst;
     }
+    for (const auto& hinge : system.hinges) {
+        const HingeVectors elastic = elasticForces(hinge, ofNodes(hinge, positions));
+        const HingeVectors viscous = dampingForces(hinge, ofNodes(hinge, velocities));
+        for (std::size_t i = 0; i < 4; ++i)
+            if (isMeant[hinge.nodes[i]]) force += elastic[i] + viscous[i];
+    }
     const Vectors& rest = system.network->restPositions;
     for (const auto& [node, springConstant, viscosity] : system.tethers)
         if (isMeant[node])
@@ -66,6 +77,8 @@ Energy energy(const SpringSystem& system, const Vectors& positions, const Vector
         const double length = (positions[spring.first] - positions[spring.second]).norm();
         result.elastic += elasticEnergy(spring.springConstant, spring.secondPhase, spring.restLength, length);
     }
+    for (const auto& hinge : system.hinges)
+        result.elastic += elasticEnergy(hinge, ofNodes(hinge, positions));
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)
         result.elastic +=

@@ -14,6 +14,18 @@ SecondPhase secondPhaseOf(const std::optional<SpringStiffening>& law, double spr
     return {law->strain, law->factor * springConstant};
 }
 
+/// The spring between the bars that gives the hinge its stiffness against a small bending at rest.
+SpringSystem::HingeElement elementOf(const Hinge& hinge, const std::vector<Eigen::Vector3d>& restPositions) {
+    const auto [weights, restCurvature, opening] = *shapeOf(hinge, restPositions);
+    const double perMetre = 1 / (opening * opening);
+    return {hinge.nodes, weights, restCurvature, perMetre * hinge.stiffness, perMetre * hinge.viscosity};
+}
+
+bool isFixed(const SpringSystem& system, const SpringSystem::HingeElement& hinge) {
+    return std::all_of(hinge.nodes.begin(), hinge.nodes.end(),
+                       [&](std::uint32_t node) { return system.fixed[node] != 0; });
+}
+
 } // namespace
 
 // The bounds of a step need the case of least damping and most stiffness, so that of each spring's two
@@ -24,6 +36,9 @@ double leastDampingRatio(const SpringSystem& system) {
     for (const auto& spring : system.springs)
         if (largestSpringConstant(spring) > 0 && !(system.fixed[spring.first] && system.fixed[spring.second]))
             ratio = std::min(ratio, spring.viscosity / largestSpringConstant(spring));
+    for (const auto& hinge : system.hinges)
+        if (hinge.springConstant > 0 && !isFixed(system, hinge))
+            ratio = std::min(ratio, hinge.viscosity / hinge.springConstant);
     for (const Tether& tether : system.tethers)
         if (tether.springConstant > 0 && !system.fixed[tether.node])
             ratio = std::min(ratio, tether.viscosity / tether.springConstant);
@@ -43,6 +58,9 @@ SpringSystem makeSpringSystem(const TissueModel& model) {
         system.springs.push_back({first, second, restLength, springConstant, viscosity,
                                   secondPhaseOf(model.stiffening, springConstant)});
     }
+    system.hinges.reserve(model.hinges.size());
+    for (const Hinge& hinge : model.hinges)
+        system.hinges.push_back(elementOf(hinge, model.network->restPositions));
     system.fixed.assign(model.mass.size(), 0);
     for (std::uint32_t node : model.fixedNodes)
         system.fixed[node] = 1;

@@ -3,6 +3,7 @@
 #include "core/dynamics/spring_law.h"
 #include "core/model/tissue_model.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,19 +21,32 @@ struct SpringSystem {
         SecondPhase secondPhase{};
     };
 
+    /// A spring between the two bars of a hinge, see HingeShape.
+    struct HingeElement {
+        std::array<std::uint32_t, 4> nodes;
+        std::array<double, 4> weights;
+        double restCurvature;  ///< 1/m
+        double springConstant; ///< N/m
+        double viscosity;      ///< N·s/m
+    };
+
     std::shared_ptr<const SpringNetwork> network;
     std::vector<double> mass; ///< kg per node
     std::vector<Element> springs;
+    std::vector<HingeElement> hinges;
     std::vector<Tether> tethers;
     std::vector<char> fixed; ///< per node
 };
 
-/// N/m, where the spring is stiffest; tethers are linear.
+/// N/m, where the spring is stiffest; tethers and hinges are linear.
 inline double largestSpringConstant(const SpringSystem::Element& spring) {
     return largestSpringConstant(spring.springConstant, spring.secondPhase);
 }
 inline double largestSpringConstant(const Tether& tether) {
     return tether.springConstant;
+}
+inline double largestSpringConstant(const SpringSystem::HingeElement& hinge) {
+    return hinge.springConstant;
 }
 
 /// s, smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each

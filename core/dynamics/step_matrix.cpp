@@ -18,14 +18,28 @@ std::vector<int> freeIndices(const std::vector<char>& given) {
     return index;
 }
 
-/// What a spring or tether adds to the diagonal, and takes away beside it.
+/// What a spring or tether adds to the diagonal, and takes away beside it; of a hinge, what w·wᵀ is taken
+/// with.
 template<class Element> double coupling(const MatrixFactors& factors, const Element& element) {
     return factors.damping * element.viscosity + factors.stiffness * largestSpringConstant(element);
 }
 
+/// Visits the entries of κ·w·wᵀ of every hinge, those of two nodes once.
+template<class Visit>
+void forPairsOfHinges(const SpringSystem& system, const MatrixFactors& factors, const Visit& visit) {
+    for (const auto& hinge : system.hinges) {
+        const double value = coupling(factors, hinge);
+        if (value == 0) continue;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                visit(hinge.nodes[i], hinge.nodes[j], value * hinge.weights[i] * hinge.weights[j]);
+    }
+}
+
 // A spring resists every motion of its ends alike in this matrix, be it along the spring or across it. The
 // price is that it resists turning; what it buys is that x, y and z do not meet: one matrix with a row per
-// node, a ninth of the entries of the true one, serves all three, and depends on no position.
+// node, a ninth of the entries of the true one, serves all three, and depends on no position. Of a hinge that
+// is flat at rest it is the true one.
 Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFactors& factors,
                                      const std::vector<int>& index) {
     std::vector<double> diagonal(index.size());
@@ -41,6 +55,11 @@ Eigen::SparseMatrix<double> assemble(const SpringSystem& system, const MatrixFac
         const auto [low, high] = std::minmax(index[spring.first], index[spring.second]);
         if (low >= 0) entries.emplace_back(high, low, -value);
     }
+    forPairsOfHinges(system, factors, [&](std::uint32_t node, std::uint32_t other, double value) {
+        if (node == other) diagonal[node] += value;
+        const auto [low, high] = std::minmax(index[node], index[other]);
+        if (node != other && low >= 0) entries.emplace_back(high, low, value);
+    });
     for (const Tether& tether : system.tethers)
         diagonal[tether.node] += coupling(factors, tether);
     int size = 0;
@@ -111,6 +130,10 @@ StepMatrix::StepMatrix(const SpringSystem& system, const MatrixFactors& factors,
         if (first >= 0 && second < 0) m_couplings.push_back({first, spring.second, factor});
         if (second >= 0 && first < 0) m_couplings.push_back({second, spring.first, factor});
     }
+    forPairsOfHinges(system, factors, [this](std::uint32_t node, std::uint32_t other, double value) {
+        if (m_row[node] >= 0 && m_row[other] < 0) m_couplings.push_back({m_row[node], other, -value});
+        if (m_row[other] >= 0 && m_row[node] < 0) m_couplings.push_back({m_row[other], node, -value});
+    });
     if (factors.damping != 0 || factors.stiffness != 0) checkAccuracy(system, factors);
 }
 

@@ -12,7 +12,7 @@ namespace esm {
 
 /// massFactor·M + dampingFactor·D + stiffnessFactor·K over the nodes that are not given, in the order of
 /// the nodes; lower half. D and K are the graph Laplacians of viscosities and largest spring constants, with
-/// the tethers' on the diagonal: the same for x, y and z.
+/// the tethers' on the diagonal and w·wᵀ of each hinge: the same for x, y and z.
 Eigen::SparseMatrix<double> laplacianMatrix(const SpringSystem& system, const MatrixFactors& factors,
                                             const std::vector<char>& given);
 

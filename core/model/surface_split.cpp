@@ -54,6 +54,7 @@ public:
         auto network = std::make_shared<SpringNetwork>(m_network);
         partNodes(result, *network);
         partSprings(sides, result.tissue, *network);
+        partHinges(result.tissue);
         result.topology.surface = partedSurface(*network);
         result.topology.network = result.tissue.network = std::move(network);
         return result;
@@ -177,6 +178,32 @@ private:
     static void halveShare(std::vector<double>& springs, std::size_t spring) {
         springs[spring] /= 2;
         springs.push_back(double(springs[spring]));
+    }
+
+    /// Whether the triangles along an edge that is not parted go with a node's twin.
+    bool goesRight(std::uint32_t node, std::uint32_t first, std::uint32_t second) const {
+        const auto parted = m_sides.find(node);
+        if (parted == m_sides.end()) return false;
+        const std::vector<std::uint32_t>& right = parted->second.right.triangles;
+        return std::any_of(right.begin(), right.end(), [&](std::uint32_t triangle) {
+            const Triangle& nodes = m_triangles[triangle];
+            const auto has = [&](std::uint32_t wanted) {
+                return std::find(nodes.begin(), nodes.end(), wanted) != nodes.end();
+            };
+            return has(first) && has(second);
+        });
+    }
+
+    /// A hinge along the path has no two triangles any more. Every other one keeps both, and goes with them.
+    void partHinges(TissueModel& tissue) const {
+        tissue.hinges.clear();
+        for (Hinge hinge : m_tissue.hinges) {
+            const std::uint32_t first = hinge.nodes[0], second = hinge.nodes[1];
+            if (m_path.runsAlong(first, second)) continue;
+            for (std::uint32_t& node : hinge.nodes)
+                if (goesRight(node, first, second)) node = rightOf(node);
+            tissue.hinges.push_back(hinge);
+        }
     }
 
     /// Each vertex that is drawn at a parted node becomes two where triangles of both sides meet at it.

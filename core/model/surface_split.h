@@ -23,7 +23,8 @@ struct SplitTissue {
 /// chain become two, an end that lies on the border too, at a loop all. The side on the left of the path,
 /// seen from outside, keeps the numbers; new nodes are numbered along the path. Mass and tethers are shared
 /// by the area at rest on either side; both of a fixed node are fixed. A spring along the path becomes two of
-/// half its constant and half its viscosity. The moment it is made it changes neither motion nor energy.
+/// half its constant and half its viscosity; a hinge along it is gone. The moment it is made it changes
+/// neither motion nor energy, but for what such hinges held.
 /// @throws InvalidModel where the path is none, touches itself or the border on its way, parts nothing, or
 /// the surface around it has no two sides; where fewer nodes carry the drawn surface; where a spring that is
 /// no edge of the surface would have no side

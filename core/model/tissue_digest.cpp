@@ -67,6 +67,12 @@ std::string tissueDigest(const TissueModel& model) {
         digest.add(model.stiffening->strain);
         digest.add(model.stiffening->factor);
     }
+    for (const auto& [nodes, stiffness, viscosity] : model.hinges) {
+        for (const std::uint32_t node : nodes)
+            digest.add(node);
+        digest.add(stiffness);
+        digest.add(viscosity);
+    }
     return digest.digits();
 }
 

@@ -169,6 +169,8 @@ std::vector<std::string> validate(const TissueModel& model) {
     checkOwnValues(problems, model);
     checkStiffening(problems, model);
     checkTethersAndFixedNodes(problems, model);
+    const Problems ofHinges = hingeProblems(model.hinges, model.network->restPositions);
+    problems.insert(problems.end(), ofHinges.begin(), ofHinges.end());
     return problems;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/hinge.h"
 #include "core/model/scene.h"
 #include "core/model/spring_network.h"
 
@@ -48,6 +49,7 @@ struct TissueModel {
     std::vector<double> viscosity;       ///< N·s/m per node, as regions say; the same
     std::vector<SpringValues> ownValues; ///< one per spring, in place of the means; empty: none has its own
     std::optional<SpringStiffening> stiffening; ///< of every spring, of no tether; linear without
+    std::vector<Hinge> hinges;                  ///< that resist bending; linear; none: only springs resist
     std::vector<Tether> tethers;
     std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
 };

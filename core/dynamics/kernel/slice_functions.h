@@ -107,6 +107,19 @@ template<class Real>
     addScaled(force, none - S::load(tethers.viscosity.of + row), own.velocity);
 }
 
+/// Adds what hinges do to their nodes.
+template<class Real>
+[[gnu::always_inline]] inline void addHingeForces(const HingeSums<Real>& hinges, std::size_t slice,
+                                                  std::size_t row, Vectors3<Real>& force) {
+    using S = Simd<Real>;
+    for (std::size_t column = hinges.starts[slice]; column < hinges.starts[slice + 1]; ++column) {
+        const std::uint32_t* const places = hinges.places[column].of + row;
+        Vectors3<Real> added;
+        S::gather([&](std::size_t i) { return hinges.forces[places[i]].of; }, added.x, added.y, added.z);
+        addScaled<Real>(force, S::broadcast(1), added);
+    }
+}
+
 /// Asks the memory for what is needed a page further on: by itself a processor looks ahead within a page
 /// only.
 [[gnu::always_inline]] inline void fetchAhead(const Neighbours* neighbours, const void* lanes,
@@ -136,6 +149,7 @@ template<bool biphasic, bool axial, class Real>
         addSpringForces<biphasic, axial>(own, neighbour, lanes, row, force);
     }
     if (slices.tethers) addTetherForces(own, slices.tethers[slice], row, force);
+    if (slices.hinges.places) addHingeForces(slices.hinges, slice, row, force);
     return force;
 }
 
@@ -191,13 +205,6 @@ template<Result result, class Real> constexpr void setFunctions(SliceFunction<Re
     functions[0][1] = compute<result, false, true, Real>;
     functions[1][0] = compute<result, true, false, Real>;
     functions[1][1] = compute<result, true, true, Real>;
-}
-
-template<class Real> constexpr SliceFunctions<Real> sliceFunctions() {
-    SliceFunctions<Real> functions{};
-    setFunctions<Result::Step>(functions.step);
-    setFunctions<Result::Rates>(functions.rates);
-    return functions;
 }
 
 } // namespace

@@ -39,6 +39,40 @@ template<class Real> struct Tethers {
     Lane<Real> restPosition[3];
 };
 
+/// Hinges in blocks of as many as a slice has rows: of each of their nodes, the distance in bytes from the
+/// first record. Those behind the last hinge have all parameters 0.
+struct alignas(32) HingeNodes {
+    std::uint32_t offset[4][sliceHeight];
+};
+
+/// Places of a hinge's parameters among the lanes of its block.
+namespace hinge_lane {
+inline constexpr std::size_t weight = 0; ///< of the second node, third and fourth; the first has what is left
+inline constexpr std::size_t restCurvature = 3, springConstant = 4, viscosity = 5;
+} // namespace hinge_lane
+inline constexpr std::size_t hingeLanes = 6;
+
+/// What a hinge does to one of its nodes, N; the last is 0.
+template<class Real> struct alignas(4 * sizeof(Real)) HingeForce { Real of[4]; };
+
+template<class Real> struct HingeBlocks {
+    const HingeNodes* nodes;
+    const Lane<Real>* lanes;
+    HingeForce<Real>* forces; ///< four of each hinge
+};
+
+/// Where in a list of forces those on the rows of a slice are; rows with fewer than others point at none.
+struct alignas(32) ForcePlaces {
+    std::uint32_t of[sliceHeight];
+};
+
+/// The forces of hinges that each row sums up, in columns as springs are.
+template<class Real> struct HingeSums {
+    const std::uint32_t* starts;
+    const ForcePlaces* places; ///< null when there are no hinges
+    const HingeForce<Real>* forces;
+};
+
 /// The tissue. Slice s has the columns starts[s] to starts[s+1]; a column is one Neighbours and the lanes of
 /// its springs.
 template<class Real> struct Slices {
@@ -47,6 +81,7 @@ template<class Real> struct Slices {
     const Lane<Real>* springs;
     const Lane<Real>* inverseMass; ///< 1/kg; 0 in fixed rows
     const Tethers<Real>* tethers;  ///< per slice; null when there are none
+    HingeSums<Real> hinges;
 };
 
 /// What rounding took from the positions of a slice's nodes, m. Added to the next change, it is not lost
@@ -69,10 +104,16 @@ template<class Real> struct Passage {
 
 template<class Real> using SliceFunction = void (*)(const Slices<Real>&, const Passage<Real>&, SliceRange);
 
+/// Computes the forces of the hinges of the blocks `first` to `last`.
+template<class Real>
+using HingeFunction = void (*)(const HingeBlocks<Real>&, const NodeRecord<Real>*, std::size_t first,
+                               std::size_t last);
+
 /// By law (0 linear, 1 biphasic) and damping (0 isotropic, 1 axial).
 template<class Real> struct SliceFunctions {
     SliceFunction<Real> step[2][2];  ///< semi-implicit Euler
     SliceFunction<Real> rates[2][2]; ///< `to` becomes the change with time
+    HingeFunction<Real> hingeForces;
 };
 
 namespace v2 {

@@ -1,6 +1,6 @@
 #include "core/dynamics/kernel/vectors_v3.h"
 
-#include "core/dynamics/kernel/slice_functions.h"
+#include "core/dynamics/kernel/hinge_functions.h"
 
 namespace esm::kernel::v3 {
 

@@ -16,6 +16,8 @@ constexpr std::size_t fewestColumnsPerThread = 750;
 constexpr std::size_t partsPerThread = 4;
 /// What a slice costs beside its springs, in columns.
 constexpr std::size_t columnsPerSlice = 2;
+/// What eight hinges cost, in columns of eight springs.
+constexpr std::size_t columnsPerHingeBlock = 4;
 
 template<class Real> const kernel::SliceFunctions<Real>& functionsOf(InstructionSet set);
 template<> const kernel::SliceFunctions<float>& functionsOf<float>(InstructionSet set) {
@@ -54,14 +56,17 @@ template<class Real>
 TissueKernel<Real>::TissueKernel(const SpringSystem& system, const KernelOptions& options)
     : m_damping(options.damping), m_team(options.team), m_mostThreads(options.threads),
       m_functions(&functionsOf<Real>(options.instructionSet.value_or(bestInstructionSet()))),
-      m_layout(makeSliceLayout(system, sizeof(kernel::NodeRecord<Real>))) {
+      m_layout(makeSliceLayout(system, sizeof(kernel::NodeRecord<Real>))),
+      m_hingeLayout(makeHingeLayout(system, m_layout, sizeof(kernel::NodeRecord<Real>))) {
     setParameters(system);
     partition();
 }
 
 template<class Real> void TissueKernel<Real>::setParameters(const SpringSystem& system) {
-    assert(system.mass.size() == nodeCount() && system.springs.size() == m_layout.entries.size());
+    assert(system.mass.size() == nodeCount() && system.springs.size() == m_layout.entries.size() &&
+           system.hinges.size() == m_hingeLayout.order.size());
     setSprings(system);
+    setHinges(system);
     setMasses(system);
     setTethers(system);
 }
@@ -88,6 +93,23 @@ template<class Real> void TissueKernel<Real>::setSprings(const SpringSystem& sys
             set(kernel::lane::stretchLimit, 1 + strain);
             set(kernel::lane::stiffening, stiffConstant - spring.springConstant);
         }
+    }
+}
+
+template<class Real> void TissueKernel<Real>::setHinges(const SpringSystem& system) {
+    m_hinges.assign(m_hingeLayout.blockCount() * kernel::hingeLanes, kernel::Lane<Real>{});
+    m_hingeForces.assign(system.hinges.empty() ? 0 : m_hingeLayout.forceCount(), kernel::HingeForce<Real>{});
+    for (std::size_t i = 0; i < system.hinges.size(); ++i) {
+        const auto& hinge = system.hinges[m_hingeLayout.order[i]];
+        kernel::Lane<Real>* const lanes = &m_hinges[i / sliceHeight * kernel::hingeLanes];
+        const auto set = [&](std::size_t lane, double value) {
+            lanes[lane].of[i % sliceHeight] = static_cast<Real>(value);
+        };
+        for (std::size_t corner = 1; corner < 4; ++corner)
+            set(kernel::hinge_lane::weight + corner - 1, hinge.weights[corner]);
+        set(kernel::hinge_lane::restCurvature, hinge.restCurvature);
+        set(kernel::hinge_lane::springConstant, hinge.springConstant);
+        set(kernel::hinge_lane::viscosity, hinge.viscosity);
     }
 }
 
@@ -144,17 +166,20 @@ void TissueKernel<Real>::store(const State& state, Vectors& positions, Vectors& 
 }
 
 template<class Real> void TissueKernel<Real>::step(const State& from, State& to, const Step& step) const {
+    computeHinges(from);
     runAll(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step));
 }
 
 template<class Real>
 void TissueKernel<Real>::step(const State& from, State& to, const Step& step, const SliceList& slices) const {
+    computeHinges(from);
     runList(m_functions->step[m_isBiphasic][m_damping == Damping::Axial], passage<Real>(from, to, step),
             slices);
 }
 
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates) const {
+    computeHinges(state);
     runAll(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
            passage<Real>(state, rates, {0, gravity}));
 }
@@ -162,6 +187,7 @@ void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravit
 template<class Real>
 void TissueKernel<Real>::rates(const State& state, const Eigen::Vector3d& gravity, State& rates,
                                const SliceList& slices) const {
+    computeHinges(state);
     runList(m_functions->rates[m_isBiphasic][m_damping == Damping::Axial],
             passage<Real>(state, rates, {0, gravity}), slices);
 }
@@ -190,8 +216,27 @@ template<class Real> void TissueKernel<Real>::partition() {
 }
 
 template<class Real> kernel::Slices<Real> TissueKernel<Real>::slices() const {
-    return {m_layout.starts.data(), m_layout.neighbours.data(), m_springs.data(), m_inverseMass.data(),
-            m_tethers.empty() ? nullptr : m_tethers.data()};
+    return {m_layout.starts.data(),
+            m_layout.neighbours.data(),
+            m_springs.data(),
+            m_inverseMass.data(),
+            m_tethers.empty() ? nullptr : m_tethers.data(),
+            {m_hingeLayout.starts.data(), m_hingeForces.empty() ? nullptr : m_hingeLayout.places.data(),
+             m_hingeForces.data()}};
+}
+
+/// Before slices sum up what hinges do to their nodes; of all hinges, whichever slices these are.
+template<class Real> void TissueKernel<Real>::computeHinges(const State& from) const {
+    if (m_hingeForces.empty()) return;
+    const std::size_t count = m_hingeLayout.blockCount();
+    const std::size_t threads = threadsFor(columnsPerHingeBlock * count);
+    const std::size_t parts = threads > 1 ? partsPerThread * threads : 1;
+    const kernel::HingeBlocks<Real> blocks{m_hingeLayout.nodes.data(), m_hinges.data(), m_hingeForces.data()};
+    const auto compute = [&](std::size_t part) {
+        m_functions->hingeForces(blocks, from.data(), count * part / parts, count * (part + 1) / parts);
+    };
+    if (parts == 1) return compute(0);
+    m_team->run(parts, compute, threads);
 }
 
 template<class Real>

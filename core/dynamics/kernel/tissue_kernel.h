@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/kernel/hinge_layout.h"
 #include "core/dynamics/kernel/slice_layout.h"
 #include "core/dynamics/kernel/thread_team.h"
 #include "core/dynamics/settings.h"
@@ -19,7 +20,7 @@ struct KernelOptions {
 
 /// Forces and explicit steps of a tissue, at the speed of the machine. Nodes lie in an order of the kernel's
 /// own (rows), in slices of kernel::sliceHeight that can be computed by themselves. Every node sums up its
-/// springs in a fixed order: results do not depend on the number of threads.
+/// springs and hinges in a fixed order: results do not depend on the number of threads.
 template<class Real> class TissueKernel {
 public:
     /// One record per row, those behind the last node 0.
@@ -37,7 +38,8 @@ public:
     /// @throws InvalidModel when there are too many nodes
     TissueKernel(const SpringSystem& system, const KernelOptions& options);
 
-    /// Takes new parameters, tethers and fixed nodes. Precondition: nodes and springs join as before.
+    /// Takes new parameters, tethers and fixed nodes. Precondition: springs and hinges join the same nodes as
+    /// before.
     void setParameters(const SpringSystem& system);
 
     std::size_t nodeCount() const { return m_layout.rowOfNode.size(); }
@@ -64,10 +66,12 @@ private:
     using Function = kernel::SliceFunction<Real>;
 
     void setSprings(const SpringSystem& system);
+    void setHinges(const SpringSystem& system);
     void setMasses(const SpringSystem& system);
     void setTethers(const SpringSystem& system);
     void partition();
     std::size_t threadsFor(std::size_t columns) const;
+    void computeHinges(const State& from) const;
     kernel::Slices<Real> slices() const;
     void runAll(Function function, const kernel::Passage<Real>& passage) const;
     void runList(Function function, const kernel::Passage<Real>& passage, const SliceList& list) const;
@@ -78,9 +82,11 @@ private:
     const kernel::SliceFunctions<Real>* m_functions;
 
     SliceLayout m_layout;
+    HingeLayout m_hingeLayout;
     bool m_isBiphasic = false;
-    LargeVector<kernel::Lane<Real>> m_springs, m_inverseMass;
+    LargeVector<kernel::Lane<Real>> m_springs, m_hinges, m_inverseMass;
     LargeVector<kernel::Tethers<Real>> m_tethers;
+    mutable LargeVector<kernel::HingeForce<Real>> m_hingeForces; ///< of the step that is computed
     std::vector<std::size_t> m_parts; ///< first slice of each part that threads share out, and the end
 };
 

@@ -1,6 +1,7 @@
 #include "core/dynamics/measure/energy_watch.h"
 
 #include "core/dynamics/forces.h"
+#include "core/dynamics/hinge_force.h"
 #include "core/dynamics/spring_force.h"
 #include "core/support/numbers.h"
 
@@ -25,6 +26,8 @@ double roundingEnergyOf(const SpringSystem& system, Precision precision, const V
         size = std::max(size, position.cwiseAbs().maxCoeff());
     for (const SpringSystem::Element& spring : system.springs)
         stiffness += largestSpringConstant(spring);
+    for (const auto& hinge : system.hinges)
+        stiffness += hinge.springConstant;
     for (const Tether& tether : system.tethers)
         stiffness += tether.springConstant;
     const double relative = precision == Precision::Float ? std::numeric_limits<float>::epsilon()
@@ -54,7 +57,7 @@ double workOfForces(const SpringSystem& system, const Loads& loads, const Vector
     return work;
 }
 
-/// N, of springs and tethers.
+/// N, of springs, hinges and tethers.
 Vectors innerForces(const SpringSystem& system, Damping damping, const Motion& motion) {
     Vectors forces;
     elasticForces(system, motion.positions, forces);
@@ -189,6 +192,11 @@ Eigen::Vector3d EnergyWatch::innerForceOn(std::uint32_t node, const Vectors& pos
         force += elasticForce(spring, between);
         if (!velocities.empty())
             force += dampingForce(spring, m_damping, between, velocities[node] - velocities[other]);
+    }
+    for (const auto& [number, place] : m_ties->hingesOf(node)) {
+        const auto& hinge = m_system.hinges[number];
+        force += elasticForces(hinge, ofNodes(hinge, positions))[place];
+        if (!velocities.empty()) force += dampingForces(hinge, ofNodes(hinge, velocities))[place];
     }
     const Tether& tether = m_ties->tetherOf(node);
     force -= tether.springConstant * (positions[node] - m_system.network->restPositions[node]);

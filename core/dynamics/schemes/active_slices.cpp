@@ -38,12 +38,15 @@ template<class Real> Real norm(const Real (&components)[4]) {
 
 } // namespace
 
+// A wall bends as slowly as it is long and thin, far more slowly than its springs tell: left to rest by
+// these, a strip that hangs down would stop half-way.
 template<class Real>
 ActiveSlices<Real>::ActiveSlices(const SpringSystem& system, const TissueKernel<Real>& kernel,
                                  double tolerance)
-    : m_leastWay(static_cast<Real>(restingShare * tolerance)), m_isActive(kernel.sliceCount()) {
+    : m_leastWay(system.hinges.empty() ? static_cast<Real>(restingShare * tolerance) : 0),
+      m_isActive(kernel.sliceCount()) {
     activateAll();
-    if (tolerance <= 0) return;
+    if (m_leastWay <= 0) return;
     std::vector<std::uint32_t> sliceOf(kernel.nodeCount());
     for (std::size_t node = 0; node < sliceOf.size(); ++node)
         sliceOf[node] = static_cast<std::uint32_t>(kernel.sliceOf(node));

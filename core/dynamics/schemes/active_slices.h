@@ -12,8 +12,8 @@ public:
     using State = typename TissueKernel<Real>::State;
     using SliceList = typename TissueKernel<Real>::SliceList;
 
-    /// @param tolerance m, that the motion may differ by from that of the whole tissue; 0: every slice is
-    /// active for ever
+    /// @param tolerance m, that the motion may differ by from that of the whole tissue; 0, and of
+    /// tissue that has hinges: every slice is active for ever
     ActiveSlices(const SpringSystem& system, const TissueKernel<Real>& kernel, double tolerance);
 
     bool areAll() const { return m_active.size() == m_isActive.size(); }

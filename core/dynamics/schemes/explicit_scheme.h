@@ -24,7 +24,7 @@ public:
                StepperSolvers& solvers) override;
     void restart() override;
     double activeFraction() const override { return m_activeFraction; }
-    /// Precondition: nodes and springs join as before.
+    /// Precondition: springs and hinges join the same nodes as before.
     std::unique_ptr<StepScheme> withParameters(const SpringSystem& system) const override;
 
 private:

@@ -104,13 +104,17 @@ TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const 
     m_tangents.reserve(system.springs.size());
     for (const auto& spring : system.springs)
         m_tangents.push_back(tangentOf(spring, positions[spring.first] - positions[spring.second]));
+    m_bent.reserve(system.hinges.size());
+    for (const auto& hinge : system.hinges)
+        m_bent.push_back(bentHinge(hinge, ofNodes(hinge, positions)));
 }
 
-// The least change that leaves each spring's part positive semidefinite, and with M the sum definite. The
-// step then errs towards what is stiffer, and is as long as that allows.
+// The least change that leaves each spring's part positive semidefinite (of a hinge what its square has), and
+// with M the sum definite. The step then errs towards what is stiffer, and is as long as that allows.
 void TangentMatrix::omitBuckling() {
     for (SpringTangent& tangent : m_tangents)
         tangent.lateral = std::max(0.0, tangent.lateral);
+    m_omitsBuckling = true;
 }
 
 void TangentMatrix::multiply(const Vectors& velocities, Vectors& product) const {
@@ -118,11 +122,13 @@ void TangentMatrix::multiply(const Vectors& velocities, Vectors& product) const 
     for (std::size_t i = 0; i < product.size(); ++i)
         product[i] = m_factors.mass * m_system.mass[i] * velocities[i];
     addSprings(m_factors, velocities, product);
+    addHinges(m_factors, velocities, product);
 }
 
 Vectors TangentMatrix::stiffnessTimes(const Vectors& displacements) const {
     Vectors product(displacements.size(), Vector3d::Zero());
     addSprings({0, 0, 1}, displacements, product);
+    addHinges({0, 0, 1}, displacements, product);
     return product;
 }
 
@@ -139,6 +145,17 @@ void TangentMatrix::addSprings(const MatrixFactors& factors, const Vectors& velo
         product[tether.node] +=
             (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *
             velocities[tether.node];
+}
+
+void TangentMatrix::addHinges(const MatrixFactors& factors, const Vectors& velocities,
+                              Vectors& product) const {
+    for (std::size_t i = 0; i < m_system.hinges.size(); ++i) {
+        const auto& hinge = m_system.hinges[i];
+        const HingeVectors change = ofNodes(hinge, velocities);
+        addToNodes(hinge, esm::stiffnessTimes(hinge, m_bent[i], !m_omitsBuckling, change), product,
+                   factors.stiffness);
+        addToNodes(hinge, dampingForces(hinge, change), product, -factors.damping);
+    }
 }
 
 // Where the tangent is found to be indefinite, pressed springs buckle and are left out of it. Not before:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/hinge_force.h"
 #include "core/dynamics/motion.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spring_force.h"
@@ -19,16 +20,19 @@ public:
     /// K·displacements, N
     Vectors stiffnessTimes(const Vectors& displacements) const;
 
-    /// Leaves out of K what pressed springs take away, so that A is positive definite.
+    /// Leaves out of K what pressed springs and strained hinges take away, so that A is positive definite.
     void omitBuckling();
 
 private:
     void addSprings(const MatrixFactors& factors, const Vectors& velocities, Vectors& product) const;
+    void addHinges(const MatrixFactors& factors, const Vectors& velocities, Vectors& product) const;
 
     const SpringSystem& m_system;
     Damping m_damping;
     MatrixFactors m_factors;
     std::vector<SpringTangent> m_tangents; ///< by spring
+    std::vector<BentHinge> m_bent;         ///< by hinge
+    bool m_omitsBuckling = false;
 };
 
 /// Solves A·v = momentum for the nodes whose velocities neither the matrix nor `prescribed` gives, by

@@ -1,5 +1,6 @@
 #include "core/dynamics/schemes/propagation.h"
 
+#include "core/dynamics/hinge_force.h"
 #include "core/dynamics/schemes/schemes.h"
 #include "core/dynamics/spring_force.h"
 #include "core/support/errors.h"
@@ -64,6 +65,11 @@ Vector3d PropagationScheme::forceOn(std::uint32_t node, const SpringSystem& syst
         const Vector3d between = motion.positions[node] - motion.positions[other];
         force += elasticForce(spring, between) +
                  dampingForce(spring, m_damping, between, motion.velocities[node] - motion.velocities[other]);
+    }
+    for (const auto& [number, place] : m_ties.hingesOf(node)) {
+        const auto& hinge = system.hinges[number];
+        force += elasticForces(hinge, ofNodes(hinge, motion.positions))[place] +
+                 dampingForces(hinge, ofNodes(hinge, motion.velocities))[place];
     }
     const Tether& tether = m_ties.tetherOf(node);
     return force - tether.springConstant * (motion.positions[node] - system.network->restPositions[node]) -
@@ -148,6 +154,12 @@ double PropagationScheme::diagonalOf(std::uint32_t node, const SpringSystem& sys
     for (const auto& neighbour : m_ties.springsOf(node)) {
         const auto& spring = system.springs[neighbour.spring];
         diagonal += factors.damping * spring.viscosity + factors.stiffness * largestSpringConstant(spring);
+    }
+    for (const auto& [number, place] : m_ties.hingesOf(node)) {
+        const auto& hinge = system.hinges[number];
+        diagonal +=
+            factors.damping * hinge.viscosity * std::pow(hinge.weights[place], 2) +
+            factors.stiffness * stiffnessOfNode(hinge, place, ofNodes(hinge, system.network->restPositions));
     }
     const Tether& tether = m_ties.tetherOf(node);
     return diagonal + factors.damping * tether.viscosity + factors.stiffness * tether.springConstant;

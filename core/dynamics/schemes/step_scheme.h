@@ -35,7 +35,7 @@ public:
     /// Share of the nodes that the last steps were computed for.
     virtual double activeFraction() const { return 1; }
 
-    /// The same for other parameters of the same network; null where nothing of it would be kept.
+    /// The same for other parameters of the same network and hinges; null where nothing of it would be kept.
     virtual std::unique_ptr<StepScheme> withParameters(const SpringSystem& /*system*/) const {
         return nullptr;
     }

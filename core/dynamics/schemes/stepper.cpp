@@ -48,6 +48,12 @@ double impulseToleranceOf(const std::vector<Contact>& contacts, const std::vecto
     return impulseTolerance * least;
 }
 
+bool joinTheSame(const std::vector<SpringSystem::HingeElement>& hinges,
+                 const std::vector<SpringSystem::HingeElement>& others) {
+    return std::equal(hinges.begin(), hinges.end(), others.begin(), others.end(),
+                      [](const auto& a, const auto& b) { return a.nodes == b.nodes; });
+}
+
 /// s, the longest stable step of symplectic Euler: at any deformation, where the integrator's own step is
 /// stable at any; else close to rest, since the step was given and is taken as it is.
 double longestEulerStep(const SpringSystem& system, Damping damping, Integrator integrator, double timeStep) {
@@ -72,8 +78,9 @@ Stepper::Stepper(PreparedModel model, TouchedSurface surface, ThreadTeam* team, 
 bool Stepper::canTakeScheme(const Stepper& former) const {
     const SimulationSettings &settings = m_settings, &others = former.m_settings;
     return m_integrator == former.m_integrator && m_system.network == former.m_system.network &&
-           m_team == former.m_team && settings.damping == others.damping &&
-           settings.precision == others.precision && settings.restTolerance == others.restTolerance;
+           joinTheSame(m_system.hinges, former.m_system.hinges) && m_team == former.m_team &&
+           settings.damping == others.damping && settings.precision == others.precision &&
+           settings.restTolerance == others.restTolerance;
 }
 
 std::unique_ptr<StepScheme> Stepper::makeScheme(const Stepper* former) const {

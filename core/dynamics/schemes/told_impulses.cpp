@@ -1,5 +1,6 @@
 #include "core/dynamics/schemes/told_impulses.h"
 
+#include "core/dynamics/hinge_force.h"
 #include "core/dynamics/spring_force.h"
 
 namespace esm {
@@ -38,8 +39,24 @@ Vector3d takenUp(const SpringSystem::Element& spring, const MadeWay& way, const 
     return resistance(spring, tangent, way.damping, factors, change);
 }
 
+/// The same of a hinge, of which some nodes do not move.
+Vector3d takenUp(const SpringSystem::HingeElement& hinge, const MadeWay& way, const MatrixFactors& factors,
+                 const Vectors& change) {
+    HingeVectors moved = ofNodes(hinge, change);
+    const auto stays = [&](std::size_t i) { return way.problem.immovable[hinge.nodes[i]] != 0; };
+    for (std::size_t i = 0; i < 4; ++i)
+        if (stays(i)) moved[i].setZero();
+    const HingeVectors stiff =
+        stiffnessTimes(hinge, bentHinge(hinge, ofNodes(hinge, way.before)), true, moved);
+    const HingeVectors viscous = dampingForces(hinge, moved);
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 0; i < 4; ++i)
+        if (!stays(i)) sum += factors.stiffness * stiff[i] - factors.damping * viscous[i];
+    return sum;
+}
+
 /// N·s, that nodes which move must be given in all for a change of their velocities: their own momentum and
-/// what their ties take up within the step. Springs between them keep momentum.
+/// what their ties take up within the step. Springs and hinges between them keep momentum.
 Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
     const SpringSystem& system = way.system;
     const std::vector<char>& immovable = way.problem.immovable;
@@ -52,6 +69,8 @@ Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
         if (immovable[spring.first] != immovable[spring.second])
             sum +=
                 takenUp(spring, way, factors, change[immovable[spring.first] ? spring.second : spring.first]);
+    for (const auto& hinge : system.hinges)
+        sum += takenUp(hinge, way, factors, change);
     for (const Tether& tether : system.tethers)
         if (!immovable[tether.node])
             sum += (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *

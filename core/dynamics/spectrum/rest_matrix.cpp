@@ -1,5 +1,7 @@
 #include "core/dynamics/spectrum/rest_matrix.h"
 
+#include "core/dynamics/hinge_force.h"
+
 namespace esm {
 
 namespace {
@@ -32,6 +34,34 @@ private:
     std::vector<Eigen::Triplet<double>> m_entries;
 };
 
+/// The columns of a hinge's K at rest for one of its nodes: what all four are pulled by, a block for each.
+std::array<Eigen::Matrix3d, 4> stiffnessOfColumn(const SpringSystem::HingeElement& hinge, const Vectors& rest,
+                                                 std::size_t place) {
+    const BentHinge bent = bentHinge(hinge, ofNodes(hinge, rest));
+    std::array<Eigen::Matrix3d, 4> blocks;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+        HingeVectors moved;
+        moved.fill(Eigen::Vector3d::Zero());
+        moved[place] = Eigen::Vector3d::Unit(axis);
+        const HingeVectors forces = stiffnessTimes(hinge, bent, false, moved);
+        for (std::size_t i = 0; i < 4; ++i)
+            blocks[i].col(axis) = forces[i];
+    }
+    return blocks;
+}
+
+void addHinge(const SpringSystem::HingeElement& hinge, const Vectors& rest, const MatrixFactors& factors,
+              BlockEntries& entries) {
+    for (std::size_t j = 0; j < 4; ++j) {
+        const auto stiffness = stiffnessOfColumn(hinge, rest, j);
+        for (std::size_t i = 0; i < 4; ++i)
+            entries.add(hinge.nodes[i], hinge.nodes[j],
+                        factors.damping * hinge.viscosity * hinge.weights[i] * hinge.weights[j] *
+                                Eigen::Matrix3d::Identity() +
+                            factors.stiffness * stiffness[i]);
+    }
+}
+
 } // namespace
 
 // At rest no spring has tension, so that none resists being turned: K of a spring is c·n·nᵀ alone. Stretched
@@ -54,6 +84,8 @@ Eigen::SparseMatrix<double> restMatrix(const SpringSystem& system, Damping dampi
         entries.add(spring.second, spring.second, block);
         entries.add(std::max(spring.first, spring.second), std::min(spring.first, spring.second), -block);
     }
+    for (const auto& hinge : system.hinges)
+        addHinge(hinge, rest, factors, entries);
     for (const Tether& tether : system.tethers)
         entries.add(tether.node, tether.node,
                     (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *

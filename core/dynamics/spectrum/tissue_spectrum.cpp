@@ -17,6 +17,11 @@ Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
     return Matrix(scale.asDiagonal() * matrix * scale.asDiagonal());
 }
 
+SpringSystem withoutHinges(SpringSystem system) {
+    system.hinges.clear();
+    return system;
+}
+
 } // namespace
 
 // With y = √M·x the eigenvalues of M⁻¹K are those of the symmetric M^(−1/2)·K·M^(−1/2), which Lanczos' method
@@ -25,13 +30,15 @@ Matrix massNormalised(const Matrix& matrix, const Matrix& mass) {
 TissueSpectrum::TissueSpectrum(const SpringSystem& system, Damping damping, StabilitySearch search)
     : m_search(std::move(search)) {
     const bool isAtRest = m_search.deformation == Deformation::AtRest;
-    const auto matrix = [&](const MatrixFactors& factors) {
-        return isAtRest ? restMatrix(system, damping, factors)
-                        : laplacianMatrix(system, factors, system.fixed);
+    const auto matrixOf = [&](const SpringSystem& tissue, const MatrixFactors& factors) {
+        return isAtRest ? restMatrix(tissue, damping, factors)
+                        : laplacianMatrix(tissue, factors, tissue.fixed);
     };
+    const auto matrix = [&](const MatrixFactors& factors) { return matrixOf(system, factors); };
     m_mass = matrix({1, 0, 0});
     m_damping = matrix({0, 1, 0});
     m_stiffness = matrix({0, 0, 1});
+    m_springDamping = system.hinges.empty() ? m_damping : matrixOf(withoutHinges(system), {0, 1, 0});
     reportProgress(m_search.progress, 0);
     Eigenpair stiffest = largestEigenpair(massNormalised(m_stiffness, m_mass), m_search.tolerance / 2);
     m_largestStiffness = stiffest.value;
@@ -44,8 +51,9 @@ double TissueSpectrum::largestAngularFrequency() const {
     return std::sqrt(m_largestStiffness);
 }
 
+// Hinges only add to the damping, but their matrix has positive entries beside its diagonal.
 bool TissueSpectrum::isDampedBeyond(double least, double timeStep) const {
-    return esm::isDampedBeyond(least, timeStep, m_mass, m_damping);
+    return esm::isDampedBeyond(least, timeStep, m_mass, m_springDamping);
 }
 
 double TissueSpectrum::largestDefinite(const MatrixFactors& factors, double sure, double cap) const {

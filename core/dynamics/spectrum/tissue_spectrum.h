@@ -39,6 +39,7 @@ private:
 
     StabilitySearch m_search;
     Matrix m_mass, m_damping, m_stiffness;
+    Matrix m_springDamping; ///< that of hinges left out
     double m_largestStiffness = 0;
     Eigen::VectorXd m_stiffest; ///< the motion it is of
     std::optional<double> m_largestDamping;

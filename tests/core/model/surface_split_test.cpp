@@ -2,6 +2,7 @@
 
 #include "core/geometry/adjacency.h"
 #include "core/model/net_elasticity.h"
+#include "core/model/wall_hinges.h"
 #include "core/support/errors.h"
 #include "tests/support/split_tissue.h"
 
@@ -57,6 +58,32 @@ void expectSound(const SplitTissue& split) {
     for (const Spring& spring : network.springs)
         springs.push_back(std::minmax(spring.first, spring.second));
     EXPECT_THAT(springs, testing::UnorderedElementsAreArray(uniqueEdges(simulatedSurface(mesh, network))));
+}
+
+// A hinge keeps its two triangles, or is gone: those of the parted surface have all that is left.
+TEST(SurfaceSplit, TakesAwayTheHingesAlongThePathAlone) {
+    for (const std::vector<std::uint32_t>& nodes :
+         {std::vector<std::uint32_t>{2, 7, 12, 17, 22}, {7, 12, 17}, {6, 7, 12, 11, 6}, {0, 6, 12, 13}}) {
+        Sheet sheet = grid();
+        const auto hingesOf = [](const Sheet& of) {
+            return wallHinges(of.tissue, simulatedSurface(*of.topology.surface, *of.topology.network), 0.003);
+        };
+        sheet.tissue.hinges = hingesOf(sheet);
+        const SplitTissue split = splitSheet(sheet, pathAlong(nodes));
+        expectSound(split);
+        const auto asNodes = [](const std::vector<Hinge>& hinges) {
+            std::vector<std::array<std::uint32_t, 4>> sorted;
+            for (auto [corners, stiffness, viscosity] : hinges) {
+                std::sort(corners.begin(), corners.begin() + 2);
+                std::sort(corners.begin() + 2, corners.end());
+                sorted.push_back(corners);
+            }
+            return sorted;
+        };
+        EXPECT_THAT(asNodes(split.tissue.hinges),
+                    testing::UnorderedElementsAreArray(asNodes(hingesOf({split.topology, split.tissue}))));
+        EXPECT_EQ(split.tissue.hinges.size(), sheet.tissue.hinges.size() - (nodes.size() - 1));
+    }
 }
 
 TEST(SurfaceSplit, FromBorderToBorderMakesTwoParts) {

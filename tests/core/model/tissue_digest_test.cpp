@@ -33,6 +33,9 @@ TEST(TissueDigest, ChangesWithWhateverMovesTheTissue) {
             model.ownValues = springValues(model);
             model.ownValues.back().viscosity *= 0.5;
         },
+        [](TissueModel& model) {
+            model.hinges = {{{0, 1, 2, 12}, 1, 1}};
+        },
     };
     for (const auto& change : changes) {
         TissueModel other = tube;

@@ -116,6 +116,16 @@ TEST(TissueModel, ReportsEveryKindOfProblemOnce) {
                             HasSubstr("(fixed node 1)")));
 }
 
+TEST(TissueModel, RefusesHingesThatAreNone) {
+    TissueModel model = modelOf(networkFromMesh(square()));
+    model.hinges = {{{0, 2, 1, 3}, 1, 1},  {{0, 2, 1, 4}, 1, 1},   {{0, 2, 1, 1}, 1, 1},
+                    {{0, 2, 1, 3}, -1, 1}, {{0, 2, 1, 3}, 1, NAN}, {{0, 1, 2, 3}, 1, 1}};
+    EXPECT_THAT(validate(model),
+                ElementsAre(HasSubstr("does not exist (hinge 1)"), HasSubstr("twice (hinge 2)"),
+                            HasSubstr("2 hinges with a stiffness or viscosity"),
+                            HasSubstr("lie on each other (hinge 5)")));
+}
+
 TEST(TissueModel, IsBoundedSoThatNothingComputedFromItOverflows) {
     TissueModel model = modelOf(networkFromMesh(square()));
     const auto within = [&](double springConstant, double viscosity, double mass) {

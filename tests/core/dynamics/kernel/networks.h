@@ -4,8 +4,10 @@
 #include "tests/support/tissue_models.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <random>
+#include <set>
 
 /// Spring networks of every kind that the kernel must take.
 namespace network {
@@ -36,6 +38,7 @@ struct Contents {
     std::size_t nodes = 200, springs = 700;
     bool biphasic = false;
     bool tethers = true, fixedNodes = true, zeroLength = true, hub = true;
+    std::size_t hinges = 0;
 };
 
 /// Springs between random nodes, with random parameters; the last ten nodes are joined to nothing.
@@ -67,6 +70,16 @@ inline SpringSystem random(const Contents& contents, unsigned seed) {
     if (contents.tethers) system.tethers.push_back({0, 2, 1});
     for (std::uint32_t i = 5; i < contents.nodes; i += 7)
         if (contents.fixedNodes) system.fixed[i] = 1;
+    while (system.hinges.size() < contents.hinges) {
+        const std::array nodes{node(generator), node(generator), node(generator), node(generator)};
+        if (std::set(nodes.begin(), nodes.end()).size() < nodes.size()) continue;
+        const std::array free{any(-1, 0), any(0, 1), any(0, 1)};
+        system.hinges.push_back({nodes,
+                                 {-free[0] - free[1] - free[2], free[0], free[1], free[2]},
+                                 any(-20, 20),
+                                 any(1, 30),
+                                 any(0, 0.2)});
+    }
     return system;
 }
 
@@ -114,6 +127,10 @@ inline SpringSystem renumbered(const SpringSystem& system, const std::vector<std
         spring.second = numbers[spring.second];
     }
     std::shuffle(result.springs.begin(), result.springs.end(), std::mt19937(9));
+    for (auto& hinge : result.hinges)
+        for (std::uint32_t& node : hinge.nodes)
+            node = numbers[node];
+    std::shuffle(result.hinges.begin(), result.hinges.end(), std::mt19937(10));
     for (auto& tether : result.tethers)
         tether.node = numbers[tether.node];
     return result;

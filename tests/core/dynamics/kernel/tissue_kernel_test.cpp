@@ -85,11 +85,13 @@ struct Variant {
 };
 
 std::vector<Variant> variants() {
-    Contents linear, biphasic, plain, single;
+    Contents linear, biphasic, plain, single, walls;
     biphasic.biphasic = true;
     plain.tethers = plain.fixedNodes = plain.zeroLength = plain.hub = false;
     single.nodes = 11, single.springs = 0, single.hub = false;
+    walls.hinges = 301;
     return {
+        {"with hinges, isotropic", walls, Damping::Isotropic}, {"with hinges, axial", walls, Damping::Axial},
         {"linear, isotropic", linear, Damping::Isotropic},     {"linear, axial", linear, Damping::Axial},
         {"biphasic, isotropic", biphasic, Damping::Isotropic}, {"biphasic, axial", biphasic, Damping::Axial},
         {"springs only", plain, Damping::Isotropic},           {"no springs", single, Damping::Axial}};
@@ -113,7 +115,7 @@ bool sameBits(const Motion& a, const Motion& b) {
 
 template<class Real> void expectSameForAnyThreads() {
     Contents contents;
-    contents.nodes = 3000, contents.springs = 9000;
+    contents.nodes = 3000, contents.springs = 9000, contents.hinges = 8000;
     const SpringSystem system = network::random(contents, 8);
     const Motion motion = network::randomMotion(system, true, 3);
     for (const InstructionSet set : instructionSets()) {
@@ -194,6 +196,7 @@ TEST(TissueKernel, InFloatIsOffByRoundingOnly) {
 TEST(TissueKernel, KeepsMomentum) {
     Contents contents;
     contents.tethers = contents.fixedNodes = false;
+    contents.hinges = 300;
     const SpringSystem system = network::random(contents, 41);
     const Motion start = network::randomMotion(system, true, 42);
     for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
@@ -239,13 +242,17 @@ TEST(TissueKernel, FixedNodesStay) {
 TEST(TissueKernel, TakesNewParametersForTheSameNetwork) {
     Contents contents;
     contents.biphasic = true;
-    const SpringSystem before = network::random(Contents{}, 61);
+    Contents walls;
+    walls.hinges = 300;
+    const SpringSystem before = network::random(walls, 61);
     SpringSystem after = before;
     for (auto& spring : after.springs) {
         spring.springConstant *= 3;
         spring.viscosity += 0.1;
         spring.secondPhase = {0.1, 100};
     }
+    for (auto& hinge : after.hinges)
+        hinge.springConstant *= 2;
     after.mass[4] *= 2;
     after.fixed[5] = 0;
     after.tethers.resize(3);
@@ -261,7 +268,7 @@ TEST(TissueKernel, TakesNewParametersForTheSameNetwork) {
 
 TEST(TissueKernel, ComputesOnlyTheSlicesThatAreListed) {
     Contents contents;
-    contents.nodes = 3000, contents.springs = 9000;
+    contents.nodes = 3000, contents.springs = 9000, contents.hinges = 8000;
     const SpringSystem system = network::random(contents, 71);
     const Motion start = network::randomMotion(system, true, 72);
     ThreadTeam team(2);
