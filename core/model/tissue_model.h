@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/cavity.h"
 #include "core/model/scene.h"
 #include "core/model/spring_network.h"
 
@@ -50,6 +51,7 @@ struct TissueModel {
     std::optional<SpringStiffening> stiffening; ///< of every spring, of no tether; linear without
     std::vector<Tether> tethers;
     std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
+    std::vector<Cavity> cavities{};        ///< of other parts each; those that a load may press from within
 };
 
 /// Of the network's spring of that number: its own, or the mean of its two ends.
