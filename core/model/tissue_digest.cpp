@@ -67,6 +67,11 @@ std::string tissueDigest(const TissueModel& model) {
         digest.add(model.stiffening->strain);
         digest.add(model.stiffening->factor);
     }
+    for (const Cavity& cavity : model.cavities) {
+        if (cavity.stiffness == 0) continue;
+        digest.add(cavity.part);
+        digest.add(cavity.stiffness);
+    }
     return digest.digits();
 }
 

@@ -18,6 +18,9 @@ constexpr int versionOfStretchedLayouts = 7;
 /// The first version in which a lattice may fill the body.
 constexpr int versionOfLattices = 8;
 
+/// The first version in which fluid may fill parts of the surface.
+constexpr int versionOfFillings = 9;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

@@ -98,6 +98,7 @@ Json PackageBuilder::surface() {
 }
 
 int PackageBuilder::version() const {
+    if (m_tissue.hasFillings()) return package_layout::versionOfFillings;
     if (m_network.lattice) return package_layout::versionOfLattices;
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
         return package_layout::versionOfStretchedLayouts;
@@ -120,6 +121,7 @@ Json PackageBuilder::extension() {
     json["tethers"] = m_tissue.tethers();
     json["fixedNodes"] = m_tissue.fixedNodes();
     json["surface"] = surface();
+    if (m_tissue.hasFillings()) json["fillings"] = m_tissue.fillings();
     if (isBound()) json["binding"] = m_tissue.binding();
     if (m_network.lattice) json["lattice"] = m_tissue.lattice();
     json["base"] = writtenFields(project.base);

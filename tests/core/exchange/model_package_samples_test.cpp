@@ -22,7 +22,8 @@ std::filesystem::path projectOf(const std::filesystem::path& package) {
     static const std::map<std::string, std::string> ofNewer{
         {"version-1-finish", "version-11-finish"},
         {"version-6-wide-binding", "version-9-wide-binding"},
-        {"version-8-filled", "version-12-filled"}};
+        {"version-8-filled", "version-12-filled"},
+        {"version-9-fluids", "version-13-fluids"}};
     const auto newer = ofNewer.find(package.stem());
     const std::string name = newer == ofNewer.end() ? package.stem().string() : newer->second;
     return package.parent_path() / ".." / "projects" / (name + ".esm");
