@@ -3,6 +3,7 @@
 #include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
+#include "core/exchange/fields_json.h"
 #include "core/model/tissue_digest.h"
 
 #include <set>
@@ -106,11 +107,19 @@ void addStepping(Report& report, const std::optional<MeasuredStepping>& measured
 void addHolds(Report& report, const TissueModel& tissue, std::size_t instruments) {
     report.json["fixed"] = tissue.fixedNodes.size();
     report.json["tethers"] = tissue.tethers.size();
+    report.json["fillings"] = Json::array();
+    for (const Cavity& cavity : tissue.cavities)
+        if (cavity.stiffness > 0)
+            report.json["fillings"].push_back(writtenFields(FluidFilling{cavity.part, cavity.stiffness}));
     report.json["instrument"] = instruments > 0;
     report.json["instruments"] = instruments;
     report.text.push_back(counted(tissue.fixedNodes.size(), "fixed node") + ", " +
                           counted(tissue.tethers.size(), "tether") +
                           (instruments > 0 ? ", " + counted(instruments, "instrument") : ""));
+    for (const Cavity& cavity : tissue.cavities)
+        if (cavity.stiffness > 0)
+            report.text.push_back("part " + std::to_string(cavity.part) + " is filled with fluid of " +
+                                  inText(cavity.stiffness) + " Pa");
 }
 
 void addTextures(Report& report, std::size_t pages) {

@@ -15,8 +15,13 @@ void requireValid(const Scene& scene, const SpringNetwork& network) {
         throw InvalidModel(std::move(problems));
 }
 
-/// A scene's fixed nodes and tethers take the place of those that are stored, also where it has none.
-std::vector<std::string> droppedHolds(const Scene& scene, std::size_t fixed, std::size_t tethers) {
+/// A scene's fixed nodes, tethers and fluids take the place of those that are stored, also where it has none.
+struct StoredHolds {
+    std::size_t fixed, tethers, fillings;
+};
+
+std::vector<std::string> droppedHolds(const Scene& scene, const StoredHolds& stored) {
+    const auto& [fixed, tethers, fillings] = stored;
     std::vector<std::string> warnings;
     if (scene.fixed.empty() && fixed > 0)
         warnings.push_back("the scene names no fixed nodes: those stored (" + std::to_string(fixed) +
@@ -24,6 +29,9 @@ std::vector<std::string> droppedHolds(const Scene& scene, std::size_t fixed, std
     if (scene.tethers.empty() && tethers > 0)
         warnings.push_back("the scene names no tethers: those stored (" + std::to_string(tethers) +
                            ") do not hold in this run");
+    if (scene.fillings.empty() && fillings > 0)
+        warnings.push_back("the scene names no fillings: those stored (" + std::to_string(fillings) +
+                           ") do not resist in this run");
     return warnings;
 }
 
@@ -37,14 +45,15 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
     requireValid(model.scene, *project.network);
     model.mesh = project.mesh;
     if (scene)
-        model.warnings = droppedHolds(*scene, fixedNodesOf(*project.network, project.scene).size(),
-                                      tetherCountOf(*project.network, project.scene));
+        model.warnings = droppedHolds(*scene, {fixedNodesOf(*project.network, project.scene).size(),
+                                               tetherCountOf(*project.network, project.scene),
+                                               project.scene.fillings.size()});
     model.tissue = evaluateModel(project, model.scene);
     model.project = project;
     return model;
 }
 
-/// A package holds tethers and fixed nodes as numbers; those of a scene take their place.
+/// A package holds tethers, fixed nodes and fluids by themselves; those of a scene take their place.
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene,
                           Context& context) {
     ModelPackage package = openedPackage(file, context);
@@ -58,10 +67,13 @@ RunnableModel fromPackage(const std::filesystem::path& file, const std::optional
     requireValid(*scene, *model.tissue.network);
     Project bare;
     bare.network = model.tissue.network;
+    bare.mesh = model.mesh;
     const TissueModel held = evaluateModel(bare, *scene);
-    model.warnings = droppedHolds(*scene, model.tissue.fixedNodes.size(), model.tissue.tethers.size());
+    model.warnings = droppedHolds(
+        *scene, {model.tissue.fixedNodes.size(), model.tissue.tethers.size(), model.tissue.cavities.size()});
     model.tissue.tethers = held.tethers;
     model.tissue.fixedNodes = held.fixedNodes;
+    model.tissue.cavities = held.cavities;
     return model;
 }
 

@@ -117,6 +117,38 @@ void addInstruments(Report& report, const Scene& scene, const SceneOutcome& outc
     }
 }
 
+/// How a pressure is told to people who know one unit or the other.
+std::string pressureInText(double pascal) {
+    constexpr double pascalPerMillimetreOfMercury = 133.322387415;
+    return inText(pascal) + " Pa (" + roundedText(pascal / pascalPerMillimetreOfMercury, 4) + " mmHg)";
+}
+
+/// What each filled part enclosed at the record times, and what pressed from within.
+void addVolumes(Report& report, const TissueModel& tissue, const std::vector<FluidRow>& rows) {
+    if (tissue.cavities.empty()) return;
+    report.json["volumes"] = Json::array();
+    for (std::size_t i = 0; i < tissue.cavities.size(); ++i) {
+        const Cavity& cavity = tissue.cavities[i];
+        const double atRest = enclosedVolume({tissue.network->restPositions, cavity.triangles});
+        Json times = Json::array(), volumes = Json::array(), pressures = Json::array();
+        for (const FluidRow& row : rows) {
+            times.push_back(row.time);
+            volumes.push_back(inJson(row.volumes[i]));
+            pressures.push_back(inJson(row.pressures[i]));
+        }
+        report.json["volumes"].push_back({{"part", cavity.part},
+                                          {"at_rest", atRest},
+                                          {"times", times},
+                                          {"volumes", volumes},
+                                          {"pressures", pressures}});
+        if (rows.empty()) continue;
+        report.text.push_back("part " + std::to_string(cavity.part) +
+                              " at the end: " + inText(1e6 * rows.back().volumes[i]) + " ml, " +
+                              percentText(rows.back().volumes[i] / atRest) +
+                              " of its volume at rest, under " + pressureInText(rows.back().pressures[i]));
+    }
+}
+
 /// What each split made, so that loads can name it.
 void addSplits(Report& report, const std::vector<SceneStage>& stages) {
     if (stages.empty()) return;
@@ -342,6 +374,7 @@ Report runSimulate(const SimulateOptions& options, Context& context) {
     files->commit(accurate.outcome.forces, context.interruption);
     Report report = describe(accurate.outcome);
     addInstruments(report, model.scene, accurate.outcome);
+    addVolumes(report, model.tissue, accurate.outcome.fluids);
     addSplits(report, stages);
     if (options.mostError)
         addError(report, accurate, warnings);

@@ -34,13 +34,28 @@ double spread(const Vectors& positions, const Eigen::Vector3d& centre) {
 }
 
 double workOfForces(const DivergenceGuard::Step& step) {
-    double work = 0;
+    double work = workOfPressures(step.system, step.loads, step.before, step.after);
     for (const auto& [node, force] : step.loads.forces)
         work += force.dot(step.after[node] - step.before[node]);
     if (!step.loads.gravity.isZero(0))
         for (std::size_t i = 0; i < step.after.size(); ++i)
             work += step.system.mass[i] * step.loads.gravity.dot(step.after[i] - step.before[i]);
     return work;
+}
+
+/// Beyond it a wall has given way: of a ball of linear springs the tension holds back ever less from eight
+/// times its volume on, where it is twice as wide, and no pressure has a place of rest beyond.
+constexpr double mostGrowth = 10;
+
+std::string burstOf(const SpringSystem& system, const Vectors& positions) {
+    const std::vector<double> volumes = volumesOf(system, positions);
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+        if (!(std::abs(volumes[i]) <= mostGrowth * system.cavities[i].restVolume))
+            return "the fluid bursts part " + std::to_string(system.cavities[i].part) +
+                   " of the surface: its volume grew beyond ten times that at rest, where the wall holds the "
+                   "pressure "
+                   "no more; lower the pressure, or raise the spring constant";
+    return {};
 }
 
 } // namespace
@@ -85,6 +100,7 @@ std::string DivergenceGuard::problemOf(const Step& step) {
     const double size = spread(step.after, centre);
     if (!std::isfinite(size) || !allFinite(step.after) || !allFinite(step.velocities))
         return "the motion grew beyond all numbers";
+    if (std::string burst = burstOf(step.system, step.after); !burst.empty()) return burst;
     DivergenceGuard next = *this;
     next.take(step, centre, size);
     if (m_size > 0 && size > alwaysGood * std::max(m_size, next.m_reach)) {

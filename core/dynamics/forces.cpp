@@ -3,9 +3,32 @@
 #include "core/dynamics/hinge_force.h"
 #include "core/dynamics/spring_force.h"
 
+#include <cmath>
 #include <utility>
 
 namespace esm {
+
+namespace {
+
+CavityVolume volumeAt(const SpringSystem::Filled& cavity, const Vectors& positions) {
+    return volumeOf(*cavity.wall, placesOf(*cavity.wall, positions));
+}
+
+void addGradient(const SpringSystem::Filled& cavity, double pressure, const Vectors& gradient,
+                 Vectors& forces) {
+    for (std::size_t place = 0; place < gradient.size(); ++place)
+        forces[cavity.wall->nodes[place]] += pressure * gradient[place];
+}
+
+void addOwnPressures(const SpringSystem& system, const Vectors& positions, Vectors& forces) {
+    for (const SpringSystem::Filled& cavity : system.cavities) {
+        if (cavity.stiffness == 0) continue;
+        const auto [volume, gradient] = volumeAt(cavity, positions);
+        addGradient(cavity, ownPressure(cavity, volume), gradient, forces);
+    }
+}
+
+} // namespace
 
 // What one end gets is taken from the other, the same number: springs add nothing to the momentum of the
 // whole.
@@ -22,6 +45,7 @@ void elasticForces(const SpringSystem& system, const Vectors& positions, Vectors
     const Vectors& rest = system.network->restPositions;
     for (const Tether& tether : system.tethers)
         forces[tether.node] -= tether.springConstant * (positions[tether.node] - rest[tether.node]);
+    addOwnPressures(system, positions, forces);
 }
 
 void addDampingForces(const SpringSystem& system, Damping damping, const Vectors& positions,
@@ -37,6 +61,41 @@ void addDampingForces(const SpringSystem& system, Damping damping, const Vectors
         addToNodes(hinge, dampingForces(hinge, ofNodes(hinge, velocities)), forces);
     for (const Tether& tether : system.tethers)
         forces[tether.node] -= tether.viscosity * velocities[tether.node];
+}
+
+double pressureOfLoads(const Loads& loads, const SpringSystem::Filled& cavity, double endShare) {
+    for (const CavityPressure& pressure : loads.pressures)
+        if (pressure.part == cavity.part) return (1 - endShare) * pressure.before + endShare * pressure.after;
+    return 0;
+}
+
+void addPressureOfLoads(const SpringSystem& system, const Loads& loads, double endShare,
+                        const Vectors& positions, Vectors& forces) {
+    for (const SpringSystem::Filled& cavity : system.cavities)
+        if (const double pressure = pressureOfLoads(loads, cavity, endShare); pressure != 0)
+            addGradient(cavity, pressure, volumeAt(cavity, positions).gradient, forces);
+}
+
+void addFluidForces(const SpringSystem& system, const Loads& loads, double endShare, const Vectors& positions,
+                    Vectors& forces) {
+    addOwnPressures(system, positions, forces);
+    addPressureOfLoads(system, loads, endShare, positions, forces);
+}
+
+double workOfPressures(const SpringSystem& system, const Loads& loads, const Vectors& from,
+                       const Vectors& to) {
+    double work = 0;
+    for (const SpringSystem::Filled& cavity : system.cavities)
+        if (const double pressure = pressureOfLoads(loads, cavity, 0.5); pressure != 0)
+            work += pressure * (volumeAt(cavity, to).volume - volumeAt(cavity, from).volume);
+    return work;
+}
+
+std::vector<double> volumesOf(const SpringSystem& system, const Vectors& positions) {
+    std::vector<double> volumes;
+    for (const SpringSystem::Filled& cavity : system.cavities)
+        volumes.push_back(volumeAt(cavity, positions).volume);
+    return volumes;
 }
 
 Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes, const SpringSystem& system, Damping damping,
@@ -66,6 +125,11 @@ Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes, const SpringSys
     for (const auto& [node, springConstant, viscosity] : system.tethers)
         if (isMeant[node])
             force -= springConstant * (positions[node] - rest[node]) + viscosity * velocities[node];
+    for (const SpringSystem::Filled& cavity : system.cavities) {
+        const auto [volume, gradient] = volumeAt(cavity, positions);
+        for (std::size_t place = 0; place < gradient.size(); ++place)
+            if (isMeant[cavity.wall->nodes[place]]) force += ownPressure(cavity, volume) * gradient[place];
+    }
     return force;
 }
 
@@ -83,6 +147,10 @@ Energy energy(const SpringSystem& system, const Vectors& positions, const Vector
     for (const Tether& tether : system.tethers)
         result.elastic +=
             0.5 * tether.springConstant * (positions[tether.node] - rest[tether.node]).squaredNorm();
+    for (const SpringSystem::Filled& cavity : system.cavities)
+        if (cavity.stiffness > 0)
+            result.elastic += 0.5 * pressureSlope(cavity) *
+                              std::pow(volumeAt(cavity, positions).volume - cavity.restVolume, 2);
     return result;
 }
 

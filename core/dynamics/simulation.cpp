@@ -8,6 +8,7 @@
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace esm {
@@ -15,13 +16,20 @@ namespace esm {
 namespace {
 
 /// Why the loads cannot act on a model; empty when they can.
-std::string problemOf(const Loads& loads, std::size_t nodeCount) {
+std::string problemOf(const Loads& loads, const SpringSystem& system) {
+    const std::size_t nodeCount = system.mass.size();
     if (!loads.gravity.allFinite()) return "gravity is not a number";
     for (const auto& [node, force] : loads.forces)
         if (node >= nodeCount || !force.allFinite()) return "a force names no node or is not a number";
     for (const PrescribedNode& led : loads.prescribed)
         if (led.node >= nodeCount || !led.position.allFinite())
             return "a led node does not exist or has no place to go to";
+    for (const CavityPressure& pressure : loads.pressures) {
+        const auto isMeant = [&](const SpringSystem::Filled& cavity) { return cavity.part == pressure.part; };
+        if (std::none_of(system.cavities.begin(), system.cavities.end(), isMeant) ||
+            !(std::isfinite(pressure.before) && std::isfinite(pressure.after)))
+            return "a pressure is for a part of the surface that is not filled, or is not a number";
+    }
     for (const auto& [shape, pose] : loads.instruments)
         if (!(pose.place.allFinite() && pose.orientation.coeffs().allFinite() && radiusOf(shape) > 0 &&
               lengthOf(shape) >= 0))
@@ -266,7 +274,7 @@ bool Simulation::step(const Loads& loads) {
 
 std::size_t Simulation::advance(const Loads& loads, std::size_t count) {
     Implementation& self = *m_implementation;
-    self.failure = problemOf(loads, self.motion.positions.size());
+    self.failure = problemOf(loads, self.stepper.system());
     const bool together = self.stepper.touchesNothing(loads);
     for (std::size_t taken = 0; taken < count && self.failure.empty();) {
         const double worthwhile = judgedTogether / std::max(self.stepper.activeFraction(), 1e-6);
@@ -281,7 +289,7 @@ std::size_t Simulation::advance(const Loads& loads, std::size_t count) {
 
 bool Simulation::stepTo(double time, const Loads& loads) {
     Implementation& self = *m_implementation;
-    self.failure = problemOf(loads, self.motion.positions.size());
+    self.failure = problemOf(loads, self.stepper.system());
     if (!self.failure.empty() || !self.take(loads, time - self.time(), 1)) return false;
     self.startTime = time;
     self.steps = 0;

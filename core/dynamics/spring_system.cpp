@@ -26,6 +26,12 @@ bool isFixed(const SpringSystem& system, const SpringSystem::HingeElement& hinge
                        [&](std::uint32_t node) { return system.fixed[node] != 0; });
 }
 
+SpringSystem::Filled filled(const Cavity& cavity, const Vectors& rest) {
+    auto wall = std::make_shared<const CavityWall>(cavity.triangles);
+    const double volume = volumeOf(*wall, placesOf(*wall, rest)).volume;
+    return {cavity.part, cavity.stiffness, volume, cavity.largestPressure, std::move(wall)};
+}
+
 } // namespace
 
 // The bounds of a step need the case of least damping and most stiffness, so that of each spring's two
@@ -64,6 +70,8 @@ SpringSystem makeSpringSystem(const TissueModel& model) {
     system.fixed.assign(model.mass.size(), 0);
     for (std::uint32_t node : model.fixedNodes)
         system.fixed[node] = 1;
+    for (const Cavity& cavity : model.cavities)
+        system.cavities.push_back(filled(cavity, model.network->restPositions));
     return system;
 }
 

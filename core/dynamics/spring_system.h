@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/cavity_wall.h"
 #include "core/dynamics/spring_law.h"
 #include "core/model/tissue_model.h"
 
@@ -30,12 +31,22 @@ struct SpringSystem {
         double viscosity;      ///< N·s/m
     };
 
+    /// A cavity: within it a pressure of stiffness·(V₀ − V)/V₀, and what loads lay on it.
+    struct Filled {
+        std::uint32_t part;
+        double stiffness;       ///< Pa
+        double restVolume;      ///< m³, V₀
+        double largestPressure; ///< Pa, of loads
+        std::shared_ptr<const CavityWall> wall;
+    };
+
     std::shared_ptr<const SpringNetwork> network;
     std::vector<double> mass; ///< kg per node
     std::vector<Element> springs;
     std::vector<HingeElement> hinges;
     std::vector<Tether> tethers;
     std::vector<char> fixed; ///< per node
+    std::vector<Filled> cavities{};
 };
 
 /// N/m, where the spring is stiffest; tethers and hinges are linear.
@@ -49,8 +60,17 @@ inline double largestSpringConstant(const SpringSystem::HingeElement& hinge) {
     return hinge.springConstant;
 }
 
-/// s, smallest d/c of everything elastic that can move: d ≥ ratio·k then holds for every motion, since each
-/// spring and tether gives its share of both. Infinite when nothing is elastic.
+/// Pa, that the fluid presses with at a volume, m³, by its own stiffness.
+inline double ownPressure(const SpringSystem::Filled& cavity, double volume) {
+    return cavity.stiffness * (1 - volume / cavity.restVolume);
+}
+/// Pa/m³, by which that falls as the volume grows.
+inline double pressureSlope(const SpringSystem::Filled& cavity) {
+    return cavity.stiffness / cavity.restVolume;
+}
+
+/// s, smallest d/c of all springs and tethers that can move: d ≥ ratio·k then holds for every motion, since
+/// each spring and tether gives its share of both. Infinite when nothing is elastic.
 double leastDampingRatio(const SpringSystem& system);
 
 /// @throws InvalidModel with every problem of the model

@@ -46,7 +46,8 @@ std::optional<GentlePull> gentlePull(const TissueModel& model) {
 }
 
 bool hasLoads(const Scene& scene) {
-    return !scene.forces.empty() || !scene.moves.empty() || !scene.instruments.empty();
+    return !scene.forces.empty() || !scene.moves.empty() || !scene.instruments.empty() ||
+           !scene.pressures.empty();
 }
 
 bool movesTissue(const Scene& scene) {

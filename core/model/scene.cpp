@@ -1,5 +1,6 @@
 #include "core/model/scene.h"
 
+#include "core/support/numbers.h"
 #include "core/support/offenders.h"
 
 #include <algorithm>
@@ -42,11 +43,18 @@ public:
         add(place, found);
     }
 
-    /// Times that are not numbers are told alone, since no order can be asked of them.
     void requirePath(const Path& path, const std::string& place) {
-        require(!path.empty(), place, "the path has no point; give [time, x, y, z] at least once");
+        requirePath(path, "[time, x, y, z]", place,
+                    [](const PathPoint& point) { return point.value.allFinite(); });
+    }
+
+    /// Times that are not numbers are told alone, since no order can be asked of them.
+    template<class Point, class IsFinite>
+    void requirePath(const std::vector<Point>& path, const std::string& row, const std::string& place,
+                     const IsFinite& isFinite) {
+        require(!path.empty(), place, "the path has no point; give " + row + " at least once");
         const auto notFinite = [&](std::size_t i) {
-            return !std::isfinite(path[i].time) || !path[i].value.allFinite();
+            return !std::isfinite(path[i].time) || !isFinite(path[i]);
         };
         const auto notRising = [&](std::size_t i) { return i > 0 && !(path[i].time > path[i - 1].time); };
         Problems found;
@@ -128,6 +136,37 @@ void checkMotion(SceneCheck& check, const Scene& scene) {
     }
 }
 
+/// A part has one filling and one pressure: of two, the one that stands last would win in silence.
+void checkFluids(SceneCheck& check, const Scene& scene) {
+    const auto requireOnce = [&](std::set<std::uint32_t>& parts, std::uint32_t part,
+                                 const std::string& place) {
+        check.require(parts.insert(part).second, place,
+                      "part " + std::to_string(part) + " stands in an earlier entry too; join the two");
+    };
+    check.require(std::max(scene.fillings.size(), scene.pressures.size()) <= mostFluids,
+                  "fillings, pressures",
+                  "no more than " + std::to_string(mostFluids) + " parts can be filled");
+    std::set<std::uint32_t> filled, pressed;
+    for (std::size_t i = 0; i < scene.fillings.size(); ++i) {
+        check.add(sceneEntry("fillings", i), fieldProblems(scene.fillings[i]));
+        requireOnce(filled, scene.fillings[i].part, sceneEntry("fillings", i));
+    }
+    for (std::size_t i = 0; i < scene.pressures.size(); ++i) {
+        const std::string place = sceneEntry("pressures", i);
+        const auto& path = scene.pressures[i].path;
+        requireOnce(pressed, scene.pressures[i].part, place);
+        check.requirePath(path, "[time, pressure]", place,
+                          [](const PressurePoint& point) { return std::isfinite(point.pressure); });
+        const auto isBeyond = [&](std::size_t point) {
+            return std::abs(path[point].pressure) > largestNumber;
+        };
+        Problems found;
+        reportOffenders(found, "point", "with a pressure beyond " + roundedText(largestNumber) + " Pa",
+                        placesWhere(path.size(), isBeyond));
+        check.add(place, found);
+    }
+}
+
 /// Names stand in CSV files as they are.
 bool isPlainName(const std::string& name) {
     return name.size() <= longestInstrumentName && name.find_first_not_of(' ') != std::string::npos &&
@@ -174,6 +213,17 @@ void checkInstruments(SceneCheck& check, const Scene& scene) {
 
 std::string sceneEntry(const char* list, std::size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+double pressureAt(const PartPressure& pressure, double time) {
+    const auto& path = pressure.path;
+    const auto later = std::upper_bound(path.begin(), path.end(), time,
+                                        [](double t, const PressurePoint& point) { return t < point.time; });
+    if (later == path.begin()) return path.front().pressure;
+    const PressurePoint& before = *(later - 1);
+    if (later == path.end()) return before.pressure;
+    const double part = (time - before.time) / (later->time - before.time);
+    return before.pressure + part * (later->pressure - before.pressure);
 }
 
 // The point after the time is found by halving: each step asks, and a path that was recorded may have many
@@ -232,6 +282,7 @@ std::vector<std::string> validate(const Scene& scene, std::size_t nodeCount) {
     checkSplits(check, scene);
     checkForces(check, scene);
     checkMotion(check, scene);
+    checkFluids(check, scene);
     checkInstruments(check, scene);
     check.add(fieldProblems(scene.record));
     if (scene.record.nodes) check.requireNodes(*scene.record.nodes, "record.nodes");

@@ -70,6 +70,42 @@ template<>
 inline constexpr auto fieldsOf<NodeMove> = fieldTable(field("node", &NodeMove::node),
                                                       field("path", &NodeMove::path));
 
+inline constexpr std::size_t mostFluids =
+    16; ///< in a list; a step that solves takes a solution more for each
+
+/// A closed part of the organ that fluid fills and keeps to its volume, as a bladder's or a cyst's does: the
+/// pressure in it rises by the stiffness times the share by which it is pressed together.
+struct FluidFilling {
+    std::uint32_t part =
+        0; ///< among the connected ones of the simulated surface, in the order of their triangles
+    double stiffness = 0; ///< Pa
+
+    bool operator==(const FluidFilling&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<FluidFilling> = fieldTable(field("part", &FluidFilling::part),
+                                                          field("stiffness", &FluidFilling::stiffness,
+                                                                positiveLimits("the stiffness of the fluid",
+                                                                               "Pa", largestNumber)));
+
+struct PressurePoint {
+    double time;     ///< s
+    double pressure; ///< Pa
+
+    bool operator==(const PressurePoint&) const = default;
+};
+
+/// What presses from within on a closed part, beside its filling: a balloon's pressure [R C.3].
+struct PartPressure {
+    std::uint32_t part = 0;          ///< as of a filling
+    std::vector<PressurePoint> path; ///< times strictly increasing; linear between, constant outside
+
+    bool operator==(const PartPressure&) const = default;
+};
+template<>
+inline constexpr auto fieldsOf<PartPressure> = fieldTable(field("part", &PartPressure::part),
+                                                          field("path", &PartPressure::path));
+
 inline constexpr std::size_t longestInstrumentName = 100; ///< bytes
 
 /// A rigid instrument that pushes the surface.
@@ -117,6 +153,8 @@ struct Scene {
     std::vector<NodeForce> forces;
     std::vector<NodeMove> moves;
     std::vector<InstrumentMotion> instruments;
+    std::vector<FluidFilling> fillings;
+    std::vector<PartPressure> pressures;
     std::vector<SurfaceSplit> splits; ///< in any order; those of the same time one after the other
     Recording record;
 
@@ -129,10 +167,14 @@ inline constexpr auto fieldsOf<Scene> =
                field("gravity", &Scene::gravity, finiteLimits("gravity")).mayBeAbsent(),
                field("fixed", &Scene::fixed).whenSet(), field("tethers", &Scene::tethers).whenSet(),
                field("forces", &Scene::forces).whenSet(), field("moves", &Scene::moves).whenSet(),
+               field("fillings", &Scene::fillings).whenSet(), field("pressures", &Scene::pressures).whenSet(),
                field("split", &Scene::splits).whenSet(), field("record", &Scene::record).mayBeAbsent());
 
 /// Where a path is at a time. Precondition: the path has a point.
 Eigen::Vector3d positionAt(const Path& path, double time);
+
+/// Pa, at a time. Precondition: the path has a point.
+double pressureAt(const PartPressure& pressure, double time);
 
 /// Where an instrument is at a time. Precondition: its path has a point.
 ColliderPose poseAt(const InstrumentMotion& instrument, double time);

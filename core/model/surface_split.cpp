@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include <set>
+
 namespace esm {
 
 namespace {
@@ -237,9 +239,24 @@ private:
     std::map<std::uint32_t, Side> m_sides; ///< by parted node
 };
 
+/// Any split opens the part that it runs on, and the fluid would run out.
+void refuseToOpenFluids(const TissueModel& tissue, const EdgePath& path) {
+    std::set<std::uint32_t> cut;
+    for (const auto& [from, to] : path)
+        cut.insert({from, to});
+    for (const Cavity& cavity : tissue.cavities)
+        for (const Triangle& triangle : cavity.triangles)
+            if (std::any_of(triangle.begin(), triangle.end(), [&](auto node) { return cut.count(node) > 0; }))
+                throw InvalidModel(
+                    "it opens part " + std::to_string(cavity.part) +
+                    " of the surface, which is filled: take the fluid and the pressure out of it, or "
+                    "leave the split out");
+}
+
 } // namespace
 
 SplitTissue splitAlong(const Topology& topology, const TissueModel& tissue, const EdgePath& path) {
+    refuseToOpenFluids(tissue, path);
     return SurfaceSplitter(topology, tissue, path).split();
 }
 

@@ -27,7 +27,7 @@ struct SplitTissue {
 /// neither motion nor energy, but for what such hinges held.
 /// @throws InvalidModel where the path is none, touches itself or the border on its way, parts nothing, or
 /// the surface around it has no two sides; where fewer nodes carry the drawn surface; where a spring that is
-/// no edge of the surface would have no side
+/// no edge of the surface would have no side; where it opens a part that is filled
 SplitTissue splitAlong(const Topology& topology, const TissueModel& tissue, const EdgePath& path);
 
 } // namespace esm

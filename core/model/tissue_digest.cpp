@@ -73,6 +73,11 @@ std::string tissueDigest(const TissueModel& model) {
         digest.add(stiffness);
         digest.add(viscosity);
     }
+    for (const Cavity& cavity : model.cavities) {
+        if (cavity.stiffness == 0) continue;
+        digest.add(cavity.part);
+        digest.add(cavity.stiffness);
+    }
     return digest.digits();
 }
 

@@ -122,6 +122,22 @@ void checkTethersAndFixedNodes(Problems& problems, const TissueModel& model) {
         placesWhere(fixed.size(), [&](std::size_t i) { return i > 0 && fixed[i] <= fixed[i - 1]; }));
 }
 
+void checkCavities(Problems& problems, const TissueModel& model) {
+    for (std::size_t i = 0; i < model.cavities.size(); ++i) {
+        const Cavity& cavity = model.cavities[i];
+        for (std::string& problem : validate(cavity, model.network->restPositions))
+            problems.push_back(std::move(problem));
+        const auto isSame = [&](const Cavity& other) { return other.part == cavity.part; };
+        if (std::any_of(model.cavities.begin(), model.cavities.begin() + static_cast<std::ptrdiff_t>(i),
+                        isSame))
+            problems.push_back("part " + std::to_string(cavity.part) + " of the surface is filled twice");
+    }
+    if (!model.cavities.empty() && model.network->lattice)
+        problems.emplace_back(
+            "an organ that is filled with a lattice has no room for a fluid: take its inside out, "
+            "or the fluid");
+}
+
 } // namespace
 
 // All that steps or writes springs asks this one function, so that nobody can forget that a cut left values
@@ -171,6 +187,7 @@ std::vector<std::string> validate(const TissueModel& model) {
     checkTethersAndFixedNodes(problems, model);
     const Problems ofHinges = hingeProblems(model.hinges, model.network->restPositions);
     problems.insert(problems.end(), ofHinges.begin(), ofHinges.end());
+    checkCavities(problems, model);
     return problems;
 }
 

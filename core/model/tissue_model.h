@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/model/cavity.h"
 #include "core/model/hinge.h"
 #include "core/model/scene.h"
 #include "core/model/spring_network.h"
@@ -52,6 +53,7 @@ struct TissueModel {
     std::vector<Hinge> hinges;                  ///< that resist bending; linear; none: only springs resist
     std::vector<Tether> tethers;
     std::vector<std::uint32_t> fixedNodes; ///< sorted, each once
+    std::vector<Cavity> cavities{};        ///< of other parts each; those that a load may press from within
 };
 
 /// Of the network's spring of that number: its own, or the mean of its two ends.

@@ -1,5 +1,6 @@
 #include "core/project/detail_change.h"
 
+#include "core/model/scene_cavities.h"
 #include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
 
@@ -139,6 +140,8 @@ void takeDefaults(Project& changed, const Project& fresh) {
     changed.scene.tethers = fresh.scene.tethers;
     changed.scene.forces.clear();
     changed.scene.moves.clear();
+    changed.scene.fillings.clear();
+    changed.scene.pressures.clear();
     changed.scene.splits.clear();
     changed.scene.record.nodes.reset();
 }
@@ -171,6 +174,8 @@ Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork>
                                         project.base.mass));
         changed.base.stiffening = project.base.stiffening;
     }
+    // Refused here where the new nodes leave no room for the organ's fluids.
+    cavitiesOf(changed.scene, *changed.network, simulatedSurface(*changed.mesh, *changed.network));
     reportProgress(progress, 1);
     return changed;
 }

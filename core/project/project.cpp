@@ -1,6 +1,7 @@
 #include "core/project/project.h"
 
 #include "core/model/motion_model.h"
+#include "core/model/scene_cavities.h"
 #include "core/project/shared_tissue.h"
 #include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
@@ -207,6 +208,9 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     model.ownValues = sharedValues(model, project.base.wallThickness);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
+    if (project.mesh && (!scene.fillings.empty() || !scene.pressures.empty()))
+        model.cavities =
+            cavitiesOf(scene, *project.network, simulatedSurface(*project.mesh, *project.network));
     return model;
 }
 

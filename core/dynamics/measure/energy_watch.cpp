@@ -46,9 +46,9 @@ double elasticEnergyOf(const SpringSystem& system, const Vectors& positions) {
     return energy(system, positions, {}).elastic;
 }
 
-/// J, of the forces and gravity on the way between two places.
+/// J, of forces, pressures and gravity on the way between two places.
 double workOfForces(const SpringSystem& system, const Loads& loads, const Vectors& from, const Vectors& to) {
-    double work = 0;
+    double work = workOfPressures(system, loads, from, to);
     for (const auto& [node, force] : loads.forces)
         work += force.dot(to[node] - from[node]);
     if (!loads.gravity.isZero(0))
@@ -86,6 +86,7 @@ MiddleStep stepAfter(const SpringSystem& system, Damping damping, const WatchedS
     const Motion& motion = last.after;
     Vectors forces = innerForces(system, damping, motion);
     addExternalForces(system, last.loads, forces);
+    addPressureOfLoads(system, last.loads, 1, motion.positions, forces);
     Vectors velocities = motion.velocities;
     for (std::size_t i = 0; i < velocities.size(); ++i)
         if (!system.fixed[i]) velocities[i] += last.duration / 2 / system.mass[i] * forces[i];
@@ -179,6 +180,20 @@ double EnergyWatch::workOfLeading(const WatchedSteps& steps) {
         const double gained = after.velocities[node].squaredNorm() - before.velocities[node].squaredNorm();
         work += m_system.mass[node] * gained / 2 - force.dot(after.positions[node] - before.positions[node]);
     }
+    return work - workOfFluidsOnLed(steps);
+}
+
+/// J, that fluids do on the led nodes, by the mean of their forces at both ends of the steps.
+double EnergyWatch::workOfFluidsOnLed(const WatchedSteps& steps) const {
+    if (m_system.cavities.empty()) return 0;
+    Vectors sums(steps.after.positions.size(), Eigen::Vector3d::Zero());
+    addFluidForces(m_system, steps.loads, 0, steps.before.positions, sums);
+    addFluidForces(m_system, steps.loads, 1, steps.after.positions, sums);
+    double work = 0;
+    for (const PrescribedNode& led : steps.loads.prescribed)
+        if (!m_system.fixed[led.node])
+            work +=
+                sums[led.node].dot(steps.after.positions[led.node] - steps.before.positions[led.node]) / 2;
     return work;
 }
 

@@ -39,6 +39,7 @@ public:
 
 private:
     double workOfLeading(const WatchedSteps& steps);
+    double workOfFluidsOnLed(const WatchedSteps& steps) const;
     Eigen::Vector3d innerForceOn(std::uint32_t node, const Vectors& positions,
                                  const Vectors& velocities) const;
 

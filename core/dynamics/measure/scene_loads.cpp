@@ -30,6 +30,8 @@ Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, 
     for (const NodeMove& move : scene.moves)
         if (move.node < rest.size())
             loads.prescribed.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
+    for (const PartPressure& pressure : scene.pressures)
+        loads.pressures.push_back({pressure.part, pressureAt(pressure, start), pressureAt(pressure, end)});
     for (const InstrumentMotion& instrument : scene.instruments)
         loads.instruments.push_back(placedAt(instrument, end));
     return loads;

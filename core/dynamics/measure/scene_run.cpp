@@ -1,5 +1,6 @@
 #include "core/dynamics/measure/scene_run.h"
 
+#include "core/dynamics/forces.h"
 #include "core/dynamics/measure/scene_loads.h"
 #include "core/dynamics/measure/scene_stages.h"
 #include "core/dynamics/measure/timeline.h"
@@ -45,11 +46,13 @@ public:
         if (!isDue && !(last && time > m_given)) return;
         if (m_sink) m_sink(time, recorded(simulation.positions()));
         recordForces(time, simulation);
+        recordFluids(time, simulation);
         m_given = time;
         if (isDue) m_due = dueAfter(time);
     }
 
     std::vector<ForceRow> takeForces() { return std::move(m_forces); }
+    std::vector<FluidRow> takeFluids() { return std::move(m_fluids); }
 
     /// s, when the next frame is to be handed out.
     double due() const { return m_due; }
@@ -78,6 +81,17 @@ private:
         m_forces.push_back(std::move(row));
     }
 
+    void recordFluids(double time, const Simulation& simulation) {
+        const std::vector<SpringSystem::Filled>& cavities = simulation.system().cavities;
+        if (cavities.empty()) return;
+        FluidRow row{time, volumesOf(simulation.system(), simulation.positions()), {}};
+        const Loads loads = loadsDuring(m_scene, simulation.positions(), time, time);
+        for (std::size_t i = 0; i < cavities.size(); ++i)
+            row.pressures.push_back(ownPressure(cavities[i], row.volumes[i]) +
+                                    pressureOfLoads(loads, cavities[i], 1));
+        m_fluids.push_back(std::move(row));
+    }
+
     Vectors recorded(const Vectors& positions) const {
         if (!m_nodes) return positions;
         Vectors chosen;
@@ -92,13 +106,16 @@ private:
     double m_due = 0, m_given = 0, m_frame = 0;        ///< s, s, a whole number; may be beyond any time
     FrameSink m_sink;
     std::vector<ForceRow> m_forces;
+    std::vector<FluidRow> m_fluids;
     Vectors m_impulses; ///< N·s, on the instruments up to the last row
 };
 
 /// How many whole steps may be taken together. Each call copies the state and looks at where it led, which
 /// explicit steps are too short to bear one by one. Loads that move would stand still meanwhile.
 std::size_t mostTogether(const Scene& scene, const Simulation& simulation) {
-    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || !scene.instruments.empty()) return 1;
+    if (!isExplicit(simulation.integrator()) || !scene.moves.empty() || !scene.instruments.empty() ||
+        !scene.pressures.empty())
+        return 1;
     return static_cast<std::size_t>(mostAtOnce / std::max(simulation.activeFraction(), 1e-3));
 }
 
@@ -312,6 +329,7 @@ SceneOutcome runScene(const SceneRun& run, const FrameSink& sink, const Progress
     outcome.instruments = simulation.instrumentTouches();
     outcome.instruments.resize(run.scene.instruments.size());
     outcome.forces = recorder.takeForces();
+    outcome.fluids = recorder.takeFluids();
     if (outcome.stable) outcome.outcome = "completed";
     if (outcome.stable) outcome.wallSeconds = bestOfRepeats(run, stages, simulation, outcome.wallSeconds);
     reportProgress(progress, 1);

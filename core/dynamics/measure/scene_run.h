@@ -18,6 +18,13 @@ struct ForceRow {
     std::vector<Eigen::Vector3d> forces;
 };
 
+/// What fluids did at a record time.
+struct FluidRow {
+    double time;                   ///< s
+    std::vector<double> volumes;   ///< m³, by cavity of the tissue
+    std::vector<double> pressures; ///< Pa, all that presses from within
+};
+
 struct SceneOutcome {
     Integrator integrator = Integrator::Auto;
     double timeStep = 0;                 ///< s, nominal, halved as often as was asked
@@ -32,6 +39,7 @@ struct SceneOutcome {
     double activeFraction = 1; ///< share of the nodes that were computed, on the mean of all steps
     std::vector<InstrumentTouch> instruments; ///< one for each of the scene's
     std::vector<ForceRow> forces;             ///< at the record times; 0 at time 0. None without instruments
+    std::vector<FluidRow> fluids;             ///< at the record times; none without cavities
 
     bool touched() const; ///< whether an instrument touched what can move
 };

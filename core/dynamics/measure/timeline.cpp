@@ -41,12 +41,18 @@ bool isTurn(const Eigen::Vector3d& before, const Eigen::Vector3d& after) {
     return (after - before).norm() > rounding * std::max(before.norm(), after.norm());
 }
 
+/// Pa/s, along x.
+Eigen::Vector3d velocityBetween(const PressurePoint& from, const PressurePoint& to) {
+    return {(to.pressure - from.pressure) / (to.time - from.time), 0, 0};
+}
+
 /// Where the velocity changes along the path, which stands still before its first point and after its last.
-void addCorners(std::set<double>& corners, const Path& path, double duration) {
+template<class Point>
+void addCorners(std::set<double>& corners, const std::vector<Point>& path, double duration) {
     Eigen::Vector3d before = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < path.size(); ++i) {
-        const Eigen::Vector3d after =
-            i + 1 < path.size() ? velocityBetween(path[i], path[i + 1]) : Eigen::Vector3d::Zero();
+        Eigen::Vector3d after = Eigen::Vector3d::Zero();
+        if (i + 1 < path.size()) after = velocityBetween(path[i], path[i + 1]);
         if (isTurn(before, after)) addCorner(corners, path[i].time, duration);
         before = after;
     }
@@ -148,6 +154,8 @@ std::vector<double> pathCorners(const Scene& scene) {
     std::set<double> corners;
     for (const NodeMove& move : scene.moves)
         addCorners(corners, move.path, scene.duration);
+    for (const PartPressure& pressure : scene.pressures)
+        addCorners(corners, pressure.path, scene.duration);
     for (const InstrumentMotion& instrument : scene.instruments) {
         addCorners(corners, instrument.path, scene.duration);
         addTurningCorners(corners, instrument, scene.duration);

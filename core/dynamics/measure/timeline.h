@@ -82,7 +82,7 @@ private:
 /// Times inside the scene at which the organ is split, s, rising.
 std::vector<double> splitCorners(const Scene& scene);
 /// Times inside the scene at which a force begins or ends, and at which a led node or an instrument changes
-/// its velocity or its turning, s, rising.
+/// its velocity or its turning, or a pressure the way it rises, s, rising.
 std::vector<double> forceCorners(const Scene& scene);
 std::vector<double> pathCorners(const Scene& scene);
 

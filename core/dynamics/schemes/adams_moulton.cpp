@@ -18,7 +18,7 @@ namespace {
 // evaluates F at y⁺ anew; to go on with F̃ would save that, but shorten the stable step.
 template<class Real> void adamsMoultonStep(ExplicitWork<Real>& work, const StepInput& input) {
     std::rotate(work.keptRates.begin(), work.keptRates.end() - 1, work.keptRates.end());
-    work.computeRates(input, work.state, work.keptRates[0]);
+    work.computeRates(input, 0, work.state, work.keptRates[0]);
     work.ratesKnown = std::min(work.ratesKnown + 1, work.keptRates.size());
     if (work.ratesKnown < work.keptRates.size()) return rungeKuttaStep(work, input, work.keptRates[0]);
     const double part = input.duration / 24;
@@ -26,7 +26,7 @@ template<class Real> void adamsMoultonStep(ExplicitWork<Real>& work, const StepI
                &third = work.keptRates[3];
     auto& predicted = work.stageRates[0];
     work.computeRates(
-        input,
+        input, 1,
         work.stage({{55 * part, &now}, {-59 * part, &last}, {37 * part, &second}, {-9 * part, &third}}),
         predicted);
     work.finish({{9 * part, &predicted}, {19 * part, &now}, {-5 * part, &last}, {part, &second}});

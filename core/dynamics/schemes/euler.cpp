@@ -9,8 +9,8 @@ namespace esm {
 namespace {
 
 // Semi-implicit Euler [B 4.7]: v⁺ = v + h·a(x,v), x⁺ = x + h·v⁺, with a = M⁻¹·(f(x) − D·v + g). First order,
-// one evaluation, all of it in the kernel; forces on single nodes are added after it. It keeps the energy of
-// a swing, seen in the middle of a step, for ever, which plain explicit Euler does not.
+// one evaluation, all of it in the kernel; forces on single nodes and those of fluids are added after it. It
+// keeps the energy of a swing, seen in the middle of a step, for ever, which plain explicit Euler does not.
 template<class Real> void eulerStep(ExplicitWork<Real>& work, const StepInput& input) {
     const double h = input.duration;
     const Loads& loads = *input.loads;
@@ -20,14 +20,14 @@ template<class Real> void eulerStep(ExplicitWork<Real>& work, const StepInput& i
         work.kernel.step(work.state, work.next, step);
     else
         work.kernel.step(work.state, work.next, step, work.active.list());
-    for (const auto& [node, force] : loads.forces) {
-        if (!work.active.contains(work.kernel.sliceOf(node))) continue;
-        const Eigen::Vector3d change = h * double(work.kernel.inverseMass(node)) * force;
-        const std::size_t row = work.kernel.rowOf(node);
-        addToComponents(work.next[row].velocity, change);
-        for (int axis = 0; axis < 3; ++axis)
-            work.addKeeping(static_cast<Real>(h * change[axis]), row, axis, work.next[row].position[axis]);
-    }
+    work.forOuterForces(loads, 0.5, work.state,
+                        [&](std::size_t row, double inverseMass, const Eigen::Vector3d& force) {
+                            const Eigen::Vector3d change = h * inverseMass * force;
+                            addToComponents(work.next[row].velocity, change);
+                            for (int axis = 0; axis < 3; ++axis)
+                                work.addKeeping(static_cast<Real>(h * change[axis]), row, axis,
+                                                work.next[row].position[axis]);
+                        });
     for (const PrescribedNode& led : input.prescribed) {
         const std::size_t row = work.kernel.rowOf(led.node);
         setComponents(work.next[row].position, led.position);

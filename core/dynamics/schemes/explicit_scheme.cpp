@@ -20,13 +20,20 @@ template<class Real> auto stepOf(const ExplicitMethod& method) {
         return method.stepInDouble;
 }
 
+/// m. Whatever moves a fluid's wall moves all of it at once, so that none of it may rest.
+double toleratedRest(const SpringSystem& system, double restTolerance) {
+    return system.cavities.empty() ? restTolerance : 0;
+}
+
 template<class Real>
 ExplicitWork<Real> workFor(const SpringSystem& system, Integrator integrator, const KernelOptions& options,
                            double restTolerance) {
     TissueKernel<Real> tissueKernel(system, options);
-    ActiveSlices<Real> active(system, tissueKernel, restTolerance);
+    ActiveSlices<Real> active(system, tissueKernel, toleratedRest(system, restTolerance));
     const ExplicitMethod& method = schemeOf(integrator).explicitMethod;
-    ExplicitWork<Real> work{.kernel = std::move(tissueKernel), .active = std::move(active)};
+    FluidForces<Real> fluids(system, tissueKernel, options.team);
+    ExplicitWork<Real> work{
+        .kernel = std::move(tissueKernel), .active = std::move(active), .fluids = std::move(fluids)};
     work.stageRates.resize(method.stageRates);
     work.keptRates.resize(method.keptRates);
     return work;
@@ -44,7 +51,9 @@ template<class Real>
 std::unique_ptr<StepScheme> ExplicitScheme<Real>::withParameters(const SpringSystem& system) const {
     auto other = std::make_unique<ExplicitScheme>(*this);
     other->m_work.kernel.setParameters(system);
-    other->m_work.active = ActiveSlices<Real>(system, other->m_work.kernel, m_restTolerance);
+    other->m_work.active =
+        ActiveSlices<Real>(system, other->m_work.kernel, toleratedRest(system, m_restTolerance));
+    other->m_work.fluids.setParameters(system, other->m_work.kernel);
     other->restart();
     return other;
 }

@@ -21,15 +21,16 @@ void addRates(std::initializer_list<typename ExplicitWork<Real>::Term> terms, st
 } // namespace
 
 template<class Real>
-void ExplicitWork<Real>::computeRates(const StepInput& input, const State& at, State& rates) {
+void ExplicitWork<Real>::computeRates(const StepInput& input, double share, const State& at, State& rates) {
     const Loads& loads = *input.loads;
     if (active.areAll())
         kernel.rates(at, loads.gravity, rates);
     else
         kernel.rates(at, loads.gravity, rates, active.list());
-    for (const auto& [node, force] : loads.forces)
-        if (active.contains(kernel.sliceOf(node)))
-            addToComponents(rates[kernel.rowOf(node)].velocity, double(kernel.inverseMass(node)) * force);
+    forOuterForces(loads, share, at,
+                   [&rates](std::size_t row, double inverseMass, const Eigen::Vector3d& force) {
+                       addToComponents(rates[row].velocity, inverseMass * force);
+                   });
     for (const PrescribedNode& led : input.prescribed)
         setComponents(rates[kernel.rowOf(led.node)].velocity, Eigen::Vector3d::Zero());
 }

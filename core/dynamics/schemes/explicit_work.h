@@ -2,6 +2,7 @@
 
 #include "core/dynamics/motion.h"
 #include "core/dynamics/schemes/active_slices.h"
+#include "core/dynamics/schemes/fluid_forces.h"
 
 #include <type_traits>
 #include <vector>
@@ -33,6 +34,7 @@ template<class Real> struct ExplicitWork {
 
     TissueKernel<Real> kernel;
     ActiveSlices<Real> active;
+    FluidForces<Real> fluids;
     State state{};                                        ///< after the last step
     State next{};                                         ///< being computed; else before the last step
     State between{};                                      ///< on the way to the next
@@ -41,7 +43,19 @@ template<class Real> struct ExplicitWork {
     std::vector<State> keptRates{};                       ///< of the last steps, the newest first
     std::size_t ratesKnown = 0;                           ///< of these, since the last restart
 
-    void computeRates(const StepInput& input, const State& at, State& rates);
+    /// Calls `visit(row, inverse mass in 1/kg, force in N)` for what acts at a state beside springs, tethers
+    /// and gravity: forces on single nodes, then fluids.
+    /// @param share of the step's time that has passed at the state
+    template<class Visit>
+    void forOuterForces(const Loads& loads, double share, const State& at, const Visit& visit) {
+        for (const auto& [node, force] : loads.forces)
+            if (active.contains(kernel.sliceOf(node)))
+                visit(kernel.rowOf(node), double(kernel.inverseMass(node)), force);
+        fluids.forEach(loads, share, at, visit);
+    }
+
+    /// @param share of the step's time that has passed at the state
+    void computeRates(const StepInput& input, double share, const State& at, State& rates);
     /// state + Σ factor·rates, into `between`
     const State& stage(std::initializer_list<Term> terms);
     /// The same into any other.

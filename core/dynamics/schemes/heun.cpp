@@ -14,8 +14,8 @@ namespace {
 template<class Real> void heunStep(ExplicitWork<Real>& work, const StepInput& input) {
     const double h = input.duration;
     auto &first = work.stageRates[0], &second = work.stageRates[1];
-    work.computeRates(input, work.state, first);
-    work.computeRates(input, work.stage({{h, &first}}), second);
+    work.computeRates(input, 0, work.state, first);
+    work.computeRates(input, 1, work.stage({{h, &first}}), second);
     work.finish({{h / 2, &first}, {h / 2, &second}});
 }
 

@@ -1,5 +1,6 @@
 #include "core/dynamics/schemes/implicit_system.h"
 
+#include "core/dynamics/forces.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -14,27 +15,23 @@ using Eigen::Vector3d;
 /// (stability.cpp).
 constexpr int mostSolverIterations = 1000;
 
-double scalarProduct(const Vectors& a, const Vectors& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i)
-        sum += a[i].dot(b[i]);
-    return sum;
-}
-
-void addMultiple(Vectors& target, double factor, const Vectors& vectors) {
-    for (std::size_t i = 0; i < target.size(); ++i)
-        target[i] += factor * vectors[i];
-}
-
 /// The nodes whose velocities are sought.
 class UnknownNodes {
 public:
-    UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& prescribed, std::size_t count)
-        : m_matrix(matrix), m_given(count) {
+    UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& prescribed, std::size_t count,
+                 const GlobalTerms& terms)
+        : m_matrix(matrix), m_given(count), m_terms(terms) {
         for (std::uint32_t i = 0; i < count; ++i)
             m_given[i] = matrix.isGiven(i);
         for (const PrescribedNode& led : prescribed)
             m_given[led.node] = 1;
+        std::vector<Vectors> responses;
+        for (const GlobalTerm& term : terms) {
+            Vectors gradient = term.gradient;
+            keep(gradient);
+            responses.push_back(byMatrix(gradient));
+        }
+        m_correction = GlobalCorrection(terms, std::move(responses));
     }
 
     void keep(Vectors& vectors) const {
@@ -42,8 +39,15 @@ public:
             if (m_given[i]) vectors[i].setZero();
     }
 
-    /// What the preconditioner makes of a residual.
+    /// What the preconditioner makes of a residual: the solution with the matrix and the terms beside it.
     Vectors preconditioned(const Vectors& residual) const {
+        Vectors result = byMatrix(residual);
+        m_correction.correct(m_terms, result);
+        return result;
+    }
+
+private:
+    Vectors byMatrix(const Vectors& residual) const {
         Vectors result(residual.size(), Vector3d::Zero()), half;
         m_matrix.solveLower(residual, result, half);
         m_matrix.solveUpper(std::move(half), result);
@@ -51,9 +55,10 @@ public:
         return result;
     }
 
-private:
     const StepMatrix& m_matrix;
     std::vector<char> m_given;
+    const GlobalTerms& m_terms;
+    GlobalCorrection m_correction;
 };
 
 enum class Solved { Yes, Indefinite, No };
@@ -100,13 +105,23 @@ Solved conjugateGradients(const TangentMatrix& matrix, const UnknownNodes& unkno
 
 TangentMatrix::TangentMatrix(const SpringSystem& system, Damping damping, const MatrixFactors& factors,
                              const Vectors& positions)
-    : m_system(system), m_damping(damping), m_factors(factors) {
+    : m_system(system), m_damping(damping), m_factors(factors),
+      m_positions(system.cavities.empty() ? Vectors() : positions),
+      m_globalTerms(globalTermsOf(system, positions, factors.stiffness)) {
     m_tangents.reserve(system.springs.size());
     for (const auto& spring : system.springs)
         m_tangents.push_back(tangentOf(spring, positions[spring.first] - positions[spring.second]));
     m_bent.reserve(system.hinges.size());
     for (const auto& hinge : system.hinges)
         m_bent.push_back(bentHinge(hinge, ofNodes(hinge, positions)));
+    const std::vector<double> volumes = volumesOf(system, positions);
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+        m_pressures.push_back(ownPressure(system.cavities[i], volumes[i]));
+}
+
+void TangentMatrix::addLoads(const Loads& loads, double endShare) {
+    for (std::size_t i = 0; i < m_pressures.size(); ++i)
+        m_pressures[i] += pressureOfLoads(loads, m_system.cavities[i], endShare);
 }
 
 // The least change that leaves each spring's part positive semidefinite (of a hinge what its square has), and
@@ -117,18 +132,25 @@ void TangentMatrix::omitBuckling() {
     m_omitsBuckling = true;
 }
 
+void TangentMatrix::makeDefinite() {
+    omitBuckling();
+    std::fill(m_pressures.begin(), m_pressures.end(), 0);
+}
+
 void TangentMatrix::multiply(const Vectors& velocities, Vectors& product) const {
     product.resize(velocities.size());
     for (std::size_t i = 0; i < product.size(); ++i)
         product[i] = m_factors.mass * m_system.mass[i] * velocities[i];
     addSprings(m_factors, velocities, product);
     addHinges(m_factors, velocities, product);
+    addFluids(m_factors.stiffness, velocities, product);
 }
 
 Vectors TangentMatrix::stiffnessTimes(const Vectors& displacements) const {
     Vectors product(displacements.size(), Vector3d::Zero());
     addSprings({0, 0, 1}, displacements, product);
     addHinges({0, 0, 1}, displacements, product);
+    addFluids(1, displacements, product);
     return product;
 }
 
@@ -158,9 +180,26 @@ void TangentMatrix::addHinges(const MatrixFactors& factors, const Vectors& veloc
     }
 }
 
-// Where the tangent is found to be indefinite, pressed springs buckle and are left out of it. Not before:
-// mostly their neighbours and their mass hold them, and forms whose order needs all of the tangent would lose
-// it. The second try starts from the same place, since the first may have gone anywhere.
+// With f = p(V)·g and g = ∂V/∂x, −∂f/∂x is σ·g·gᵀ − p·∂g/∂x.
+void TangentMatrix::addFluids(double stiffnessFactor, const Vectors& velocities, Vectors& product) const {
+    for (const GlobalTerm& term : m_globalTerms)
+        addMultiple(product,
+                    stiffnessFactor / m_factors.stiffness * term.factor *
+                        scalarProduct(term.gradient, velocities),
+                    term.gradient);
+    for (std::size_t i = 0; i < m_pressures.size(); ++i) {
+        if (m_pressures[i] == 0) continue;
+        const CavityWall& wall = *m_system.cavities[i].wall;
+        const Vectors change = gradientChange(wall, placesOf(wall, m_positions), placesOf(wall, velocities));
+        for (std::size_t place = 0; place < change.size(); ++place)
+            product[wall.nodes[place]] -= stiffnessFactor * m_pressures[i] * change[place];
+    }
+}
+
+// Where the tangent is found to be indefinite, pressed springs buckle, or a pressure turns more than its wall
+// holds, and both are left out of it. Not before: mostly their neighbours and their mass hold them, and forms
+// whose order needs all of the tangent would lose it. The second try starts from the same place, since the
+// first may have gone anywhere.
 void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
                    const std::vector<PrescribedNode>& prescribed, const Vectors& momentum,
                    Vectors& velocities, double tolerance) {
@@ -170,11 +209,11 @@ void solveImplicit(TangentMatrix& matrix, const StepMatrix& preconditioner,
     preconditioner.solveUpper(std::move(half), start);
     for (const PrescribedNode& led : prescribed)
         start[led.node] = velocities[led.node];
-    const UnknownNodes unknown(preconditioner, prescribed, velocities.size());
+    const UnknownNodes unknown(preconditioner, prescribed, velocities.size(), matrix.globalTerms());
     velocities = start;
     Solved solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
     if (solved == Solved::Indefinite) {
-        matrix.omitBuckling();
+        matrix.makeDefinite();
         velocities = std::move(start);
         solved = conjugateGradients(matrix, unknown, momentum, tolerance, velocities);
     }

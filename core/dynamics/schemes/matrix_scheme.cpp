@@ -2,6 +2,7 @@
 
 #include "core/dynamics/forces.h"
 #include "core/dynamics/schemes/axial_dampers.h"
+#include "core/dynamics/schemes/global_terms.h"
 #include "core/dynamics/schemes/implicit_system.h"
 #include "core/dynamics/schemes/schemes.h"
 
@@ -63,6 +64,7 @@ void MatrixScheme::remember(Motion before) {
     if (!hasSecondOrderForm(m_integrator)) return;
     m_previous = std::move(before);
     m_previousForces.swap(m_forces);
+    m_previousPressures.swap(m_pressures);
 }
 
 UntouchedStep MatrixScheme::step(const SpringSystem& system, const StepInput& input, const Motion& before,
@@ -95,8 +97,9 @@ UntouchedStep MatrixScheme::branchStep(const Start& start, StepperSolvers& solve
 
 std::optional<UntouchedStep> MatrixScheme::solve(const Start& start, StepSolver& solver, bool builds) {
     const auto& [system, input, before] = start;
-    elasticForces(system, before.positions, m_forces);
     const Form form = formOf(input, before, builds);
+    innerForces(start, form, before.positions, m_forces);
+    notePressures(start, form);
     UntouchedStep step{before, {}, false};
     lead(input.prescribed, form, before.positions, step.motion.velocities);
     if (hasConstantMatrix(m_integrator))
@@ -130,9 +133,41 @@ void MatrixScheme::goBeyond(const Start& start, const Form& form, Vectors& veloc
         if (!isLed[i]) velocities[i] += form.beyond * (velocities[i] - start.before.velocities[i]);
 }
 
-// One solve is the whole step. Led nodes that are in the matrix come between its two halves: there an impulse
-// on a single node is one sparse column, and the impulses that give all of them their velocities are a small
-// dense system.
+/// N, of springs and tethers, and of fluids under loads: what turns and changes with the places.
+void MatrixScheme::innerForces(const Start& start, const Form& form, const Vectors& places, Vectors& forces) {
+    elasticForces(start.system, places, forces);
+    addPressureOfLoads(start.system, *start.input.loads, form.endShare, places, forces);
+}
+
+/// Pa, at the step's beginning, where a later step may build on them.
+void MatrixScheme::notePressures(const Start& start, const Form& form) {
+    m_pressures = volumesOf(start.system, start.before.positions);
+    for (std::size_t i = 0; i < m_pressures.size(); ++i) {
+        const SpringSystem::Filled& cavity = start.system.cavities[i];
+        m_pressures[i] =
+            ownPressure(cavity, m_pressures[i]) + pressureOfLoads(*start.input.loads, cavity, form.endShare);
+    }
+}
+
+// What extrapolation takes for the forces at the step's end must not foresee how a fluid's pressure changes:
+// the matrix does that, and both together would count it twice. Of a fluid only the direction is
+// extrapolated, p·(2g − g⁻), and what its volume changes by along the drift is taken from the pressure.
+void MatrixScheme::foreseeDirectionsAlone(const Start& start, const Form& form, Vectors& extrapolated) const {
+    for (std::size_t i = 0; i < m_pressures.size(); ++i) {
+        const SpringSystem::Filled& cavity = start.system.cavities[i];
+        const auto gradientAt = [&](const Vectors& positions) {
+            return volumeOf(*cavity.wall, placesOf(*cavity.wall, positions)).gradient;
+        };
+        const Vectors now = gradientAt(start.before.positions), last = gradientAt(m_previous->positions);
+        const double grown = scalarProduct(now, placesOf(*cavity.wall, form.drift));
+        for (std::size_t place = 0; place < now.size(); ++place)
+            extrapolated[cavity.wall->nodes[place]] +=
+                (m_pressures[i] - m_previousPressures[i]) * last[place] +
+                pressureSlope(cavity) * grown * now[place];
+    }
+}
+
+// One solve is the whole step.
 void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolver& solver,
                                  UntouchedStep& step) const {
     Vectors& velocities = step.motion.velocities;
@@ -141,11 +176,16 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
         extrapolated = m_previousForces;
         for (std::size_t i = 0; i < extrapolated.size(); ++i)
             extrapolated[i] -= m_forces[i];
+        foreseeDirectionsAlone(start, form, extrapolated);
     }
-    solver.matrix.solveLower(momentum(start, form, extrapolated), velocities, step.half);
-    const auto led = ledByImpulses(solver.matrix, start.input.prescribed);
-    if (!led.empty()) solver.impulses.lead(led, velocities, step.half);
-    solver.matrix.solveUpper(step.half, velocities);
+    solveStep(solver, start.input.prescribed, fluidTerms(start, form), momentum(start, form, extrapolated),
+              velocities, step.half);
+}
+
+/// Of the fluids' stiffness at the step's end.
+GlobalTerms MatrixScheme::fluidTerms(const Start& start, const Form& form) {
+    return globalTermsOf(start.system, start.before.positions,
+                         start.input.duration * form.endShare * form.reach);
 }
 
 // One Newton step, and what is done where it is not good. The measure is the step's potential, which an exact
@@ -159,6 +199,7 @@ void MatrixScheme::solveConstant(const Start& start, const Form& form, StepSolve
 bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver& solver,
                                 UntouchedStep& step) const {
     TangentMatrix tangent(start.system, m_damping, form.factors, start.before.positions);
+    tangent.addLoads(*start.input.loads, form.endShare);
     if (!form.isExact) tangent.omitBuckling();
     Vectors stiffened = form.drift.empty() ? Vectors{} : tangent.stiffnessTimes(form.drift);
     for (Eigen::Vector3d& force : stiffened)
@@ -167,12 +208,7 @@ bool MatrixScheme::solveTangent(const Start& start, const Form& form, StepSolver
 
     Vectors& velocities = step.motion.velocities;
     Vectors safe = velocities, half;
-    if (!form.isExact) {
-        solver.matrix.solveLower(asked, safe, half);
-        const auto led = ledByImpulses(solver.matrix, start.input.prescribed);
-        if (!led.empty()) solver.impulses.lead(led, safe, half);
-        solver.matrix.solveUpper(std::move(half), safe);
-    }
+    if (!form.isExact) solveStep(solver, start.input.prescribed, fluidTerms(start, form), asked, safe, half);
     solveImplicit(tangent, solver.matrix, start.input.prescribed, asked, velocities);
     const double known = potential(start, form, safe);
     const auto overshoots = [&] {
@@ -209,8 +245,8 @@ bool MatrixScheme::gainsEnergy(const Start& start, const Form& form, const Tange
         work += way[i].dot(m_forces[i] - form.endShare * stiffened[i]);
         heat -= way[i].dot(damping[i]);
     }
-    const double stored = energy(system, placesAfter(start, form, velocities), {}).elastic -
-                          energy(system, before.positions, {}).elastic;
+    const double stored = innerEnergy(start, form, placesAfter(start, form, velocities)) -
+                          innerEnergy(start, form, before.positions);
     const double moved = kineticEnergy(system, velocities) + std::abs(stored) + std::abs(work);
     return stored + work > heat + gainedShare * moved;
 }
@@ -236,6 +272,7 @@ void MatrixScheme::solveTurning(const Start& start, const Form& form, StepSolver
     for (int round = 0; round < mostNewtonSteps; ++round) {
         const Vectors places = placesAfter(start, form, velocities);
         TangentMatrix tangent(damped, Damping::Isotropic, form.factors, places);
+        tangent.addLoads(*start.input.loads, form.endShare);
         tangent.omitBuckling();
         Vectors change(velocities.size(), Eigen::Vector3d::Zero());
         solveImplicit(tangent, solver.matrix, start.input.prescribed,
@@ -287,7 +324,7 @@ void MatrixScheme::addShareBefore(const Form& form, Vectors& forces) const {
 Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vectors& places,
                               const Vectors& velocities) const {
     Vectors forces;
-    elasticForces(start.system, places, forces);
+    innerForces(start, form, places, forces);
     addShareBefore(form, forces);
     addExternalForces(start.system, *start.input.loads, forces);
     addDampingForces(start.system, m_damping, places, velocities, forces);
@@ -295,6 +332,16 @@ Vectors MatrixScheme::missing(const Start& start, const Form& form, const Vector
         forces[i] = start.system.mass[i] * (form.drive[i] - form.factors.mass * velocities[i]) +
                     start.input.duration * forces[i];
     return forces;
+}
+
+/// J, of which innerForces() are the fall.
+double MatrixScheme::innerEnergy(const Start& start, const Form& form, const Vectors& places) {
+    double result = energy(start.system, places, {}).elastic;
+    if (start.input.loads->pressures.empty()) return result;
+    const std::vector<double> volumes = volumesOf(start.system, places);
+    for (std::size_t i = 0; i < volumes.size(); ++i)
+        result -= pressureOfLoads(*start.input.loads, start.system.cavities[i], form.endShare) * volumes[i];
+    return result;
 }
 
 /// J, what an exact step has the least of: the form above is where its gradient vanishes.
@@ -315,8 +362,8 @@ double MatrixScheme::potential(const Start& start, const Form& form, const Vecto
         result += start.system.mass[i] * v.dot(0.5 * form.factors.mass * v - form.drive[i]) -
                   h * v.dot(external[i] + 0.5 * damping[i]);
     }
-    return result + form.endShare * h / form.reach *
-                        energy(start.system, placesAfter(start, form, velocities), {}).elastic;
+    return result +
+           form.endShare * h / form.reach * innerEnergy(start, form, placesAfter(start, form, velocities));
 }
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/schemes/global_terms.h"
 #include "core/dynamics/schemes/step_scheme.h"
 #include "core/dynamics/settings.h"
 
@@ -34,6 +35,11 @@ private:
     bool gainsEnergy(const Start& start, const Form& form, const TangentMatrix& tangent,
                      const Vectors& velocities) const;
     static void goBeyond(const Start& start, const Form& form, Vectors& velocities);
+    static void innerForces(const Start& start, const Form& form, const Vectors& places, Vectors& forces);
+    static double innerEnergy(const Start& start, const Form& form, const Vectors& places);
+    static GlobalTerms fluidTerms(const Start& start, const Form& form);
+    void notePressures(const Start& start, const Form& form);
+    void foreseeDirectionsAlone(const Start& start, const Form& form, Vectors& extrapolated) const;
     void solveConstant(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     bool solveTangent(const Start& start, const Form& form, StepSolver& solver, UntouchedStep& step) const;
     void solveTurning(const Start& start, const Form& form, StepSolver& solver, Vectors& velocities) const;
@@ -49,8 +55,9 @@ private:
 
     Integrator m_integrator;
     Damping m_damping;
-    std::optional<Motion> m_previous;   ///< before the last step
-    Vectors m_forces, m_previousForces; ///< elastic, N
+    std::optional<Motion> m_previous;                     ///< before the last step
+    Vectors m_forces, m_previousForces;                   ///< elastic and of fluids, N
+    std::vector<double> m_pressures, m_previousPressures; ///< Pa, by cavity
 };
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #include "core/dynamics/schemes/propagation.h"
 
 #include "core/dynamics/hinge_force.h"
+#include "core/dynamics/schemes/moving_fluids.h"
 #include "core/dynamics/schemes/schemes.h"
 #include "core/dynamics/spring_force.h"
 #include "core/support/errors.h"
@@ -84,7 +85,8 @@ public:
     LocalPropagation(const PropagationScheme& scheme, const SpringSystem& system, const StepInput& input,
                      const Motion& before, Motion& after)
         : m_scheme(scheme), m_system(system), m_step(input.duration), m_before(before), m_after(after),
-          m_given(system.fixed), m_external(before.positions.size(), Vector3d::Zero()), m_forces(m_external) {
+          m_given(system.fixed), m_external(before.positions.size(), Vector3d::Zero()), m_forces(m_external),
+          m_fluids(system, *input.loads, before.positions) {
         addExternalForces(system, *input.loads, m_external);
         m_after = before;
         leadPrescribedNodes(input, before.positions, m_after.velocities);
@@ -92,12 +94,15 @@ public:
             m_given[led.node] = 1;
             m_after.positions[led.node] = led.position;
         }
+        m_fluids = MovingFluids(system, *input.loads, m_after.positions);
         for (std::uint32_t node = 0; node < m_forces.size(); ++node) {
             m_resistance.push_back(scheme.diagonalOf(node, system, {1, m_step, m_step * m_step}));
-            m_forces[node] = scheme.forceOn(node, system, before) + m_external[node];
+            const MovingFluids::Push push = m_fluids.on(node);
+            m_forces[node] = scheme.forceOn(node, system, before) + m_external[node] + push.force;
             if (!m_given[node]) note(node, m_forces[node].norm(), m_largestForce);
-            m_rounding = std::max(m_rounding, roundingMargin * scheme.diagonalOf(node, system, {0, 0, 1}) *
-                                                  before.positions[node].norm());
+            m_rounding = std::max(
+                m_rounding, roundingMargin * (scheme.diagonalOf(node, system, {0, 0, 1}) + push.stiffness) *
+                                before.positions[node].norm());
         }
     }
 
@@ -126,11 +131,13 @@ private:
     /// own forces balance. With its mass alone stiff tissue would be thrown from side to side and never
     /// settle.
     double settle(std::uint32_t node) {
-        const Vector3d force = m_scheme.forceOn(node, m_system, m_after) + m_external[node];
+        const MovingFluids::Push push = m_fluids.on(node);
+        const Vector3d force = m_scheme.forceOn(node, m_system, m_after) + m_external[node] + push.force;
         const Vector3d missing =
             m_system.mass[node] * (m_before.velocities[node] - m_after.velocities[node]) + m_step * force;
-        m_after.velocities[node] += missing / m_resistance[node];
+        m_after.velocities[node] += missing / (m_resistance[node] + m_step * m_step * push.stiffness);
         m_after.positions[node] = m_before.positions[node] + m_step * m_after.velocities[node];
+        m_fluids.move(node, m_after.positions[node]);
         m_largestForce = std::max(m_largestForce, force.norm());
         return std::max((force - std::exchange(m_forces[node], force)).norm(), missing.norm() / m_step);
     }
@@ -141,7 +148,8 @@ private:
     const Motion& m_before;
     Motion& m_after;
     std::vector<char> m_given;
-    Vectors m_external, m_forces;     ///< N, from outside; of the last pass
+    Vectors m_external, m_forces; ///< N, from outside; of the last pass
+    MovingFluids m_fluids;
     std::vector<double> m_resistance; ///< kg
     double m_largestForce = 0;        ///< N, ever met
     double m_rounding = 0;            ///< N

@@ -13,7 +13,7 @@ namespace {
 // weighed 1:2:2:1. Four evaluations, fourth order. It needs no step before it, so that Adams-Moulton starts
 // with it.
 template<class Real> void rk4Step(ExplicitWork<Real>& work, const StepInput& input) {
-    work.computeRates(input, work.state, work.stageRates[0]);
+    work.computeRates(input, 0, work.state, work.stageRates[0]);
     rungeKuttaStep(work, input, work.stageRates[0]);
 }
 

@@ -11,9 +11,9 @@ void rungeKuttaStep(ExplicitWork<Real>& work, const StepInput& input,
                     const typename ExplicitWork<Real>::State& first) {
     const double h = input.duration;
     auto &second = work.stageRates[1], &third = work.stageRates[2], &fourth = work.stageRates[3];
-    work.computeRates(input, work.stage({{h / 2, &first}}), second);
-    work.computeRates(input, work.stage({{h / 2, &second}}), third);
-    work.computeRates(input, work.stage({{h, &third}}), fourth);
+    work.computeRates(input, 0.5, work.stage({{h / 2, &first}}), second);
+    work.computeRates(input, 0.5, work.stage({{h / 2, &second}}), third);
+    work.computeRates(input, 1, work.stage({{h, &third}}), fourth);
     work.finish({{h / 6, &first}, {h / 3, &second}, {h / 3, &third}, {h / 6, &fourth}});
 }
 

@@ -17,7 +17,11 @@ MatrixFactors splitFactors(double timeStep) {
 // One oscillator's step, (1 + hd)·x⁺ − (2 + hd − h²k)·x + x⁻ = 0, reaches −1 where h²k − 2hd = 4. On the line
 // d = ratio·k, the least damping there may be, that is h² − 2h·ratio < 4/k, hardest for the largest k: up to
 // its root no motion grows.
-std::optional<double> largestSplitStep(TissueSpectrum& tissue, double cap) {
+//
+// A fluid's stiffness s is taken implicitly, beside the viscosity: (1 + hd + h²s)·x⁺ …, which adds h²s to the
+// right of both. It never shortens the step.
+std::optional<double> largestSplitStep(TissueSpectrum& filled, double cap) {
+    TissueSpectrum& tissue = filled.withoutFluids();
     if (tissue.largestStiffness() == 0) return cap;
     const double ratio = tissue.dampingRatio();
     const double sure = ratio + std::sqrt(ratio * ratio + 4 / tissue.largestStiffness());

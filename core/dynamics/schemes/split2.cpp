@@ -50,7 +50,8 @@ double split2OnLine(const TissueSpectrum& tissue, double cap) {
 // There are two kinds of motion. Those with h·d ≥ 8/7 leave the unit circle at −1: there the rule is a half
 // plane of (k, d), and so a matrix that has to be definite. The others are stable up to h =
 // leastQuotient·ratio, all of them; and where all of the tissue is damped beyond 8/7, there are none.
-std::optional<double> largestSplit2Step(TissueSpectrum& tissue, double cap) {
+std::optional<double> largestSplit2Step(TissueSpectrum& filled, double cap) {
+    TissueSpectrum& tissue = filled.withoutFluids();
     if (tissue.largestStiffness() == 0) return cap;
     if (tissue.dampingRatio() == 0) return std::nullopt;
     const double sure = split2OnLine(tissue, cap);

@@ -27,6 +27,16 @@ bool isJump(const Eigen::Vector3d& before, const Eigen::Vector3d& now) {
     return (now - before).squaredNorm() > smoothChange * smoothChange * larger;
 }
 
+/// Whether pressures go on from where they were. What is not named is none.
+bool goOn(const std::vector<CavityPressure>& before, const std::vector<CavityPressure>& now) {
+    constexpr double rounding = 1e-9;
+    const auto continues = [](const CavityPressure& was, const CavityPressure& is) {
+        const double larger = std::max(std::abs(was.after), std::abs(is.before));
+        return was.part == is.part && std::abs(is.before - was.after) <= rounding * larger;
+    };
+    return std::equal(before.begin(), before.end(), now.begin(), now.end(), continues);
+}
+
 /// The last place given for each node that is free to follow, in the order of nodes.
 std::vector<PrescribedNode> movable(std::vector<PrescribedNode> prescribed, const std::vector<char>& fixed) {
     std::stable_sort(prescribed.begin(), prescribed.end(),
@@ -102,6 +112,7 @@ bool Stepper::touchesNothing(const Loads& loads) const {
 void Stepper::steps(Motion& motion, const Request& request) {
     const Loads& loads = request.loads;
     if (!m_lastLoads || m_lastLoads->gravity != loads.gravity || m_lastLoads->forces != loads.forces ||
+        !goOn(m_lastLoads->pressures, loads.pressures) ||
         lengthOf(m_duration) != lengthOf(request.duration) || loads.beginsAnew)
         m_scheme->restart();
     m_duration = request.duration;

@@ -15,7 +15,7 @@ namespace {
 template<class Real> void verletStep(ExplicitWork<Real>& work, const StepInput& input) {
     const double h = input.duration;
     auto &last = work.keptRates[0], &now = work.keptRates[1];
-    if (work.ratesKnown == 0) work.computeRates(input, work.state, last);
+    if (work.ratesKnown == 0) work.computeRates(input, 0, work.state, last);
     // Both halves of the state moved by h·(v, a): the velocity is then the one that forces are asked at, and
     // the position lacks h²/2·a.
     work.advance(work.between, {{h, &last}});
@@ -27,7 +27,7 @@ template<class Real> void verletStep(ExplicitWork<Real>& work, const StepInput& 
                             work.between[row].position[axis]);
         }
     });
-    work.computeRates(input, work.between, now);
+    work.computeRates(input, 1, work.between, now);
     work.advance(work.next, {{h / 2, &last}, {h / 2, &now}});
     work.forActiveRows([&](std::size_t row) {
         std::copy_n(work.between[row].position, 4, work.next[row].position);

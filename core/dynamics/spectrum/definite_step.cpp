@@ -18,6 +18,10 @@ double form(const Matrix& matrix, const Eigen::VectorXd& x) {
     return x.dot(matrix.selfadjointView<Eigen::Lower>() * x);
 }
 
+double form(const SymmetricSum& matrix, const Eigen::VectorXd& x) {
+    return x.dot(matrix.times(x));
+}
+
 /// What each row of Q is multiplied with, from both sides: one over the root of all on its diagonal that
 /// makes Q larger. Parts of the tissue that differ by orders of magnitude then weigh alike. Scaling from both
 /// sides changes no sign of Q's eigenvalues (Sylvester) but brings them close together. The one next to zero
@@ -37,11 +41,12 @@ struct Trial {
 };
 
 /// −Q(h), scaled.
-Matrix scaledNegative(const StepFamily& family, double h, const Eigen::VectorXd& scale) {
+SymmetricSum scaledNegative(const StepFamily& family, double h, const Eigen::VectorXd& scale) {
     const MatrixFactors& factors = family.factors;
+    const double stiffness = factors.stiffness * h * h;
     const Matrix sum = factors.mass * family.mass + factors.damping * h * family.damping +
-                       factors.stiffness * h * h * family.stiffness;
-    return Matrix(-(scale.asDiagonal() * sum * scale.asDiagonal()));
+                       stiffness * family.stiffness.lower;
+    return scaled({-sum, family.stiffness.columns, -stiffness * family.stiffness.factor}, scale);
 }
 
 /// Q(h) is definite where the largest eigenvalue of its scaled negative is below zero. `ask` is called now
@@ -54,7 +59,7 @@ Matrix scaledNegative(const StepFamily& family, double h, const Eigen::VectorXd&
 /// singular, and a shorter step is easier to judge.
 Trial tryStep(const StepFamily& family, double h, double tolerance, const std::function<void()>& ask) {
     const Eigen::VectorXd scale = scaleOf(family, h);
-    const Matrix matrix = scaledNegative(family, h, scale);
+    const SymmetricSum matrix = scaledNegative(family, h, scale);
     const Eigen::VectorXd start = arbitraryDirection(matrix.rows());
     const int least = iterationsToNotice(tolerance, matrix.rows());
     const auto isEnough = [&](const RitzPair& pair) {

@@ -1,16 +1,17 @@
 #pragma once
 
+#include "core/dynamics/spectrum/symmetric_sum.h"
 #include "core/dynamics/step_matrix.h"
 #include "core/support/progress.h"
 
 namespace esm {
 
 /// The symmetric matrices Q(h) = mass·M + damping·h·D + stiffness·h²·K of a step of h seconds: M diagonal and
-/// positive, D and K positive semidefinite, `mass` positive. Lower halves.
+/// positive, D positive semidefinite, `mass` positive. Lower halves.
 struct StepFamily {
     const Eigen::SparseMatrix<double>& mass;
     const Eigen::SparseMatrix<double>& damping;
-    const Eigen::SparseMatrix<double>& stiffness;
+    const SymmetricSum& stiffness;
     MatrixFactors factors;
 };
 

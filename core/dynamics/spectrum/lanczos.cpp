@@ -93,14 +93,14 @@ RitzPair largestPairOf(const Tridiagonal& matrix) {
 /// memory grows with the square of the iterations.
 class Lanczos {
 public:
-    Lanczos(const Eigen::SparseMatrix<double>& lower, Eigen::VectorXd start)
-        : m_lower(lower), m_previous(Eigen::VectorXd::Zero(start.size())), m_current(std::move(start)) {}
+    Lanczos(const SymmetricSum& matrix, Eigen::VectorXd start)
+        : m_matrix(matrix), m_previous(Eigen::VectorXd::Zero(start.size())), m_current(std::move(start)) {}
 
     const Eigen::VectorXd& current() const { return m_current; }
     const Tridiagonal& projected() const { return m_projected; }
 
     void multiply() {
-        m_next.noalias() = m_lower.selfadjointView<Eigen::Lower>() * m_current;
+        m_next = m_matrix.times(m_current);
         if (!m_projected.below.empty()) m_next -= m_projected.below.back() * m_previous;
         m_projected.diagonal.push_back(m_current.dot(m_next));
         m_next -= m_projected.diagonal.back() * m_current;
@@ -117,17 +117,17 @@ public:
     }
 
 private:
-    const Eigen::SparseMatrix<double>& m_lower;
+    const SymmetricSum& m_matrix;
     Tridiagonal m_projected;
     Eigen::VectorXd m_previous, m_current, m_next;
 };
 
 } // namespace
 
-RitzPair largestRitzPair(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& start,
+RitzPair largestRitzPair(const SymmetricSum& matrix, const Eigen::VectorXd& start,
                          const LanczosLimits& limits) {
     constexpr int lookEvery = 4;
-    Lanczos lanczos(lower, start);
+    Lanczos lanczos(matrix, start);
     for (int iteration = 1;; ++iteration) {
         lanczos.multiply();
         const bool isLast = iteration >= limits.mostIterations || lanczos.isExhausted();
@@ -139,9 +139,8 @@ RitzPair largestRitzPair(const Eigen::SparseMatrix<double>& lower, const Eigen::
     }
 }
 
-Eigen::VectorXd ritzVector(const RitzPair& pair, const Eigen::SparseMatrix<double>& lower,
-                           const Eigen::VectorXd& start) {
-    Lanczos lanczos(lower, start);
+Eigen::VectorXd ritzVector(const RitzPair& pair, const SymmetricSum& matrix, const Eigen::VectorXd& start) {
+    Lanczos lanczos(matrix, start);
     Eigen::VectorXd vector = pair.coefficients[0] * start;
     for (Eigen::Index i = 1; i < pair.coefficients.size(); ++i) {
         lanczos.multiply();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "core/dynamics/spectrum/symmetric_sum.h"
 
 #include <functional>
 
@@ -18,14 +18,12 @@ struct LanczosLimits {
     int leastIterations = 1, mostIterations = 120;
 };
 
-/// The largest Ritz pair of a matrix of which the lower half is stored.
-RitzPair largestRitzPair(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& start,
+RitzPair largestRitzPair(const SymmetricSum& matrix, const Eigen::VectorXd& start,
                          const LanczosLimits& limits);
 
 /// The pair's vector, of length 1, from the same matrix and start. The basis is built again instead of having
 /// been kept: it is large.
-Eigen::VectorXd ritzVector(const RitzPair& pair, const Eigen::SparseMatrix<double>& lower,
-                           const Eigen::VectorXd& start);
+Eigen::VectorXd ritzVector(const RitzPair& pair, const SymmetricSum& matrix, const Eigen::VectorXd& start);
 
 /// A direction that prefers none, of length 1; the same on every machine.
 Eigen::VectorXd arbitraryDirection(Eigen::Index size);

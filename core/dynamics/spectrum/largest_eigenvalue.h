@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/SparseCore>
+#include "core/dynamics/spectrum/symmetric_sum.h"
 
 namespace esm {
 
@@ -11,11 +11,11 @@ struct Eigenpair {
     Eigen::VectorXd vector;
 };
 
-/// Of a symmetric, positive semidefinite matrix of which the lower half is stored, an upper estimate of the
+/// Of a symmetric, positive semidefinite matrix, an upper estimate of the
 /// largest eigenvalue within about twice the tolerance, relative: Lanczos with its residual added, and never
 /// above Gershgorin's bound.
-double largestEigenvalue(const Eigen::SparseMatrix<double>& lower, double tolerance = 5e-4);
+double largestEigenvalue(const SymmetricSum& matrix, double tolerance = 5e-4);
 /// The same with the vector, in twice the time.
-Eigenpair largestEigenpair(const Eigen::SparseMatrix<double>& lower, double tolerance);
+Eigenpair largestEigenpair(const SymmetricSum& matrix, double tolerance);
 
 } // namespace esm

@@ -2,9 +2,11 @@
 
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spectrum/stability_search.h"
+#include "core/dynamics/spectrum/symmetric_sum.h"
 #include "core/dynamics/spring_system.h"
 #include "core/dynamics/step_matrix.h"
 
+#include <memory>
 #include <optional>
 
 namespace esm {
@@ -20,10 +22,14 @@ public:
     TissueSpectrum(const TissueSpectrum&) = delete;
     TissueSpectrum& operator=(const TissueSpectrum&) = delete;
 
+    /// The same tissue without the stiffness of its fluids: what is left of it for steps that take this
+    /// implicitly.
+    TissueSpectrum& withoutFluids() { return m_withoutFluids ? *m_withoutFluids : *this; }
+
     double largestStiffness() const { return m_largestStiffness; } ///< ω², 1/s²
     double largestAngularFrequency() const;                        ///< rad/s, without damping
     double largestDamping();                                       ///< 1/s, mass-normalised
-    double dampingRatio() const { return m_ratio; }                ///< s, smallest d/c
+    double dampingRatio() const { return m_ratio; }                ///< s, smallest d/c of springs and fluids
     double tolerance() const { return m_search.tolerance; }
     Deformation deformation() const { return m_search.deformation; }
 
@@ -38,12 +44,14 @@ private:
     using Matrix = Eigen::SparseMatrix<double>;
 
     StabilitySearch m_search;
-    Matrix m_mass, m_damping, m_stiffness;
+    Matrix m_mass, m_damping;
     Matrix m_springDamping; ///< that of hinges left out
+    SymmetricSum m_stiffness;
     double m_largestStiffness = 0;
     Eigen::VectorXd m_stiffest; ///< the motion it is of
     std::optional<double> m_largestDamping;
     double m_ratio;
+    std::unique_ptr<TissueSpectrum> m_withoutFluids; ///< null where there is no such stiffness
 };
 
 } // namespace esm

@@ -24,7 +24,8 @@ bool hasToBeExplicit(const SimulationSettings& settings) {
 // may vanish for a motion that the Laplacian resists with k: c = 1 + h²·k/(1 + h·d), most at the largest k,
 // where d is at least ratio·k. The error of conjugate gradients falls as 2·exp(−2n/√c) or faster with n
 // iterations, to 10⁻¹⁰ in some 12·√c of them: 850 for c = 5000, below the 1000 that the solver is given.
-double largestSolvable(const TissueSpectrum& tissue, double cap) {
+double largestSolvable(TissueSpectrum& filled, double cap) {
+    const TissueSpectrum& tissue = filled.withoutFluids();
     constexpr double mostContrast = 5000;
     if (tissue.largestStiffness() == 0) return cap;
     const double damped = 0.5 * mostContrast * tissue.dampingRatio();

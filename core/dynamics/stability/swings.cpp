@@ -17,9 +17,7 @@ constexpr double leastHalvings = 16; ///< of the longest stable step, four halvi
 
 SwingBounds boundsOf(const SpringSystem& system, Damping damping) {
     const TissueSpectrum tissue(system, damping, {1e-2, Deformation::Any, {}});
-    // Across its axis a spring that damps along it alone has elasticity but no damping.
-    const double ratio = damping == Damping::Isotropic ? leastDampingRatio(system) : 0;
-    return {tissue.largestAngularFrequency(), ratio};
+    return {tissue.largestAngularFrequency(), tissue.dampingRatio()};
 }
 
 } // namespace

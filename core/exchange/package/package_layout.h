@@ -21,6 +21,9 @@ constexpr int versionOfLattices = 8;
 /// The first version whose fuzzy systems may say tissue in clinical units.
 constexpr int versionOfClinicalUnits = 9;
 
+/// The first version in which fluid may fill parts of the surface.
+constexpr int versionOfFillings = 9;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

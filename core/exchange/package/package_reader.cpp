@@ -32,6 +32,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
         version = std::max(version, package_layout::versionOfStretchedLayouts);
     if (extension.has("lattice")) version = package_layout::versionOfLattices;
     if (isClinical) version = package_layout::versionOfClinicalUnits;
+    if (extension.has("fillings")) version = package_layout::versionOfFillings;
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

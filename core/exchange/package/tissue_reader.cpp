@@ -2,6 +2,7 @@
 
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/tissue_json.h"
+#include "core/model/scene_cavities.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -46,6 +47,7 @@ private:
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
     void readSheet(const JsonReader& group, SpringNetwork& network) const;
     void readLattice(const JsonReader& group, SpringNetwork& network) const;
+    void readFillings(const JsonReader& list, const TriangleMesh& mesh, TissueModel& tissue) const;
     void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
 
@@ -180,6 +182,24 @@ void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) 
     network.lattice = std::move(lattice);
 }
 
+/// A fluid names its part as a scene does, and what it encloses is looked for anew: of a file nothing is
+/// believed.
+void TissueReader::readFillings(const JsonReader& list, const TriangleMesh& mesh, TissueModel& tissue) const {
+    Scene scene;
+    for (const JsonReader& element : list.elements())
+        scene.fillings.push_back(valueFrom<FluidFilling>(element));
+    if (m_arrays.foundProblems()) return;
+    std::vector<std::string> problems = validate(scene, tissue.mass.size());
+    try {
+        if (problems.empty())
+            tissue.cavities = cavitiesOf(scene, *tissue.network, simulatedSurface(mesh, *tissue.network));
+    } catch (const InvalidModel& unfit) {
+        problems = unfit.problems();
+    }
+    for (const std::string& problem : problems)
+        list.addProblem("hold what cannot be: " + problem);
+}
+
 PackagedTissue TissueReader::read(const JsonReader& extension) const {
     PackagedTissue package;
     auto network = std::make_shared<SpringNetwork>();
@@ -202,6 +222,7 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
         readBinding(extension.member("binding"), *network, countOf(surface, "vertexCount"));
     if (extension.has("sheet")) readSheet(extension.member("sheet"), *network);
     if (extension.has("lattice")) readLattice(extension.member("lattice"), *network);
+    if (extension.has("fillings")) readFillings(extension.member("fillings"), package.mesh, package.tissue);
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     return package;
 }

@@ -1,7 +1,9 @@
 #include "core/exchange/package/tissue_writer.h"
 
+#include "core/exchange/fields_json.h"
 #include "core/exchange/tissue_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -71,6 +73,19 @@ Json TissueWriter::tethers() {
     json["springConstant"] = addScalars(springConstants, "spring constant of tether");
     json["viscosity"] = addScalars(viscosities, "viscosity of tether");
     return json;
+}
+
+bool TissueWriter::hasFillings() const {
+    return std::any_of(m_tissue.cavities.begin(), m_tissue.cavities.end(),
+                       [](const Cavity& cavity) { return cavity.stiffness > 0; });
+}
+
+// What presses from within belongs to a scene, as forces do; the fluid belongs to the organ.
+Json TissueWriter::fillings() const {
+    Json list = Json::array();
+    for (const Cavity& cavity : m_tissue.cavities)
+        if (cavity.stiffness > 0) list.push_back(writtenFields(FluidFilling{cavity.part, cavity.stiffness}));
+    return list;
 }
 
 Json TissueWriter::fixedNodes() {

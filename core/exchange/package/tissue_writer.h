@@ -21,6 +21,9 @@ public:
     nlohmann::ordered_json springs();
     nlohmann::ordered_json tethers();
     nlohmann::ordered_json fixedNodes();
+    /// Whether fluid that resists is in some part.
+    bool hasFillings() const;
+    nlohmann::ordered_json fillings() const;
     /// Precondition: the network has a binding.
     nlohmann::ordered_json binding();
     /// Precondition: the network has a sheet.

@@ -26,6 +26,7 @@ struct VersionNeeds {
     bool lattice = false;           ///< a body that is filled: version 12
     bool clinicalUnits = false; ///< fuzzy systems that say moduli or times, a wall's thickness: version 13
     bool sheet = false;         ///< springs that make an even sheet: version 13
+    bool fluids = false;        ///< parts that fluid fills or presses: version 13
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

@@ -72,6 +72,7 @@ int projectVersionOf(const Project& project) {
                    any([](const TextureLayer& layer) { return layer.finish.has_value(); });
     needs.retouching = any(needsRetouching);
     needs.instruments = !hasPlainInstrument(project.scene);
+    needs.fluids = !project.scene.fillings.empty() || !project.scene.pressures.empty();
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
     needs.lattice = project.network->lattice.has_value();

@@ -149,6 +149,12 @@ Project withSplits(Project project) {
     return project;
 }
 
+Project withFluids(Project project) {
+    project.scene.fillings = {{0, 1e5 / 3}};
+    project.scene.pressures = {{0, {{0, -0.0}, {1.0 / 3, 2000}, {0.7, -1.0 / 7}}}};
+    return project;
+}
+
 std::map<std::string, Project> sampleProjects() {
     return {{"version-1", projectInRows()},
             {"version-1-bare", bareProject()},
@@ -170,6 +176,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-12-filled", filledProject()},
             {"version-13-even-sheet", sheetProject()},
             {"version-13-clinical-units", clinicalProject()},
+            {"version-13-fluids", withFluids(untextured(softProject()))},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
             {"version-9-wide-binding", untextured(latticeProject())}};
@@ -187,6 +194,7 @@ void writeSamples(const std::filesystem::path& folder) {
         exportPackage(project, folder / "packages" / (name + ".glb"),
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
+    exportPackage(withFluids(untextured(softProject())), folder / "packages" / "version-9-fluids.glb");
     exportPackage(filledProject(), folder / "packages" / "version-8-filled.glb");
     exportPackage(sheetProject(), folder / "packages" / "version-6-even-sheet.glb");
     exportPackage(clinicalProject(), folder / "packages" / "version-9-clinical-units.glb");

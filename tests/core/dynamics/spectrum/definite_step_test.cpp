@@ -40,6 +40,10 @@ Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
     return Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
 }
 
+Eigen::MatrixXd dense(const SymmetricSum& sum) {
+    return dense(sum.lower) + sum.factor * sum.columns * sum.columns.transpose();
+}
+
 bool isDefinite(const StepFamily& family, double h) {
     const MatrixFactors& factors = family.factors;
     const Eigen::MatrixXd sum = factors.mass * dense(family.mass) +

@@ -156,6 +156,11 @@ void addSceneTables(Fields& fields) {
     addTable<TetherRule>(fields, "tethers", firstOf(&Scene::tethers));
     addTable<NodeForce>(fields, "forces", firstOf(&Scene::forces));
     addTable<NodeMove>(fields, "moves", firstOf(&Scene::moves));
+    const auto filled = [](Project& p, const Change<FluidFilling>& change) {
+        p.scene.fillings = {{0, 1}};
+        change(p.scene.fillings.front());
+    };
+    addTable<FluidFilling>(fields, "fillings", filled, {"part"});
     addTable<Sphere>(fields, "instruments.sphere", [](Project& p, const auto& change) {
         p.scene.instruments = {{Sphere{1}, {{0, {1, 2, 3}}}, {}, {}}};
         change(std::get<Sphere>(p.scene.instruments.front().shape));

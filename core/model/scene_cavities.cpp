@@ -1,0 +1,57 @@
+#include "core/model/scene_cavities.h"
+
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// The parts that were named so far, over one surface.
+class NamedCavities {
+public:
+    NamedCavities(const SpringNetwork& network, const std::vector<Triangle>& surface)
+        : m_network(network), m_surface(surface) {}
+
+    /// @param entry of the scene, which names it
+    Cavity& named(std::uint32_t part, const std::string& entry) {
+        const auto isNamed = [&](const Cavity& cavity) { return cavity.part == part; };
+        const auto known = std::find_if(m_cavities.begin(), m_cavities.end(), isNamed);
+        if (known != m_cavities.end()) return *known;
+        if (m_network.lattice)
+            throw InvalidModel(
+                entry + ": a lattice fills this organ, and leaves no room for a fluid; make it hollow, "
+                        "or leave the fluid out");
+        try {
+            return m_cavities.emplace_back(cavityOf(m_network.restPositions, m_surface, part));
+        } catch (const InvalidModel& problem) {
+            throw InvalidModel(entry + ": " + problem.what());
+        }
+    }
+    std::vector<Cavity> take() { return std::move(m_cavities); }
+
+private:
+    const SpringNetwork& m_network;
+    const std::vector<Triangle>& m_surface;
+    std::vector<Cavity> m_cavities;
+};
+
+} // namespace
+
+std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,
+                               const std::vector<Triangle>& surface) {
+    NamedCavities cavities(network, surface);
+    for (std::size_t i = 0; i < scene.fillings.size(); ++i)
+        cavities.named(scene.fillings[i].part, sceneEntry("fillings", i)).stiffness =
+            scene.fillings[i].stiffness;
+    for (std::size_t i = 0; i < scene.pressures.size(); ++i) {
+        Cavity& cavity = cavities.named(scene.pressures[i].part, sceneEntry("pressures", i));
+        for (const PressurePoint& point : scene.pressures[i].path)
+            cavity.largestPressure = std::max(cavity.largestPressure, std::abs(point.pressure));
+    }
+    return cavities.take();
+}
+
+} // namespace esm

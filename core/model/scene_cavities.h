@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/model/cavity.h"
+#include "core/model/scene.h"
+#include "core/model/spring_network.h"
+
+namespace esm {
+
+/// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
+/// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.
+/// @throws InvalidModel under the scene's entry, where a part is none that holds a fluid: see cavityOf();
+/// where a lattice fills the organ
+std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,
+                               const std::vector<Triangle>& surface);
+
+} // namespace esm
