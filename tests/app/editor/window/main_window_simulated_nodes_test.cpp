@@ -133,6 +133,23 @@ TEST_F(SimulatedNodesTest, FillABodyAndCanBeTakenBack) {
     EXPECT_FALSE(project().network->lattice);
 }
 
+TEST_F(SimulatedNodesTest, MakeAnEvenSheetAndCanBeTakenBack) {
+    open(makeProject("lump", {lumpySurface(20, 30), {}}));
+    QAction* const evenSheet = window->windowActions().evenSheet;
+    EXPECT_FALSE(evenSheet->isChecked());
+    evenSheet->trigger();
+    ASSERT_TRUE(project().network->sheet);
+    EXPECT_TRUE(evenSheet->isChecked());
+    window->document().undoStack()->undo();
+    EXPECT_FALSE(project().network->sheet);
+    EXPECT_FALSE(evenSheet->isChecked());
+    window->document().undoStack()->redo();
+    evenSheet->trigger();
+    EXPECT_FALSE(project().network->sheet);
+    open(makeSample("uterus"));
+    EXPECT_FALSE(window->windowActions().evenSheet->isEnabled()) << "it has no surface";
+}
+
 TEST_F(SimulatedNodesTest, StayAsTheyAreWhereNothingElseIsChosen) {
     open(makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}}));
     script.expectNamed("insideDialog", [](QDialog* dialog) {
