@@ -2,6 +2,7 @@
 #include "app/esmc/commands.h"
 #include "app/esmc/filling_options.h"
 #include "app/esmc/model_report.h"
+#include "app/esmc/wall_option.h"
 #include "core/authoring/import_unit.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/geometry/hole_filling.h"
@@ -22,6 +23,7 @@ struct ImportOptions {
     UpAxis up = UpAxis::Y;
     Detail detail;
     FillingOptions filling;
+    WallOption wall;
 };
 
 Detail requestedDetail(const std::string& given) {
@@ -85,6 +87,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
             "one stiff piece (default: every vertex is a node)")
         ->option_text("N|rigid");
     declareFilling(command, options.filling, "without it the organ is hollow, its surface alone has springs");
+    declareWall(command, options.wall);
 }
 
 /// @throws UsageError, InvalidModel
@@ -128,9 +131,9 @@ Report runImport(const ImportOptions& options, Context& context) {
     const std::string doubt = doubtfulSize(size, options);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
     const Detail detail = detailFor(options, surface.mesh);
-    const Project project =
-        makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass,
-                    detail, progressOf(context, "building"));
+    Project project = makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface),
+                                  options.mass, detail, progressOf(context, "building"));
+    setWall(project, options.wall);
     return saveAndReport(project, output);
 }
 

@@ -3,6 +3,7 @@
 #include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
+#include "app/esmc/wall_option.h"
 #include "core/model/tissue_digest.h"
 
 #include <set>
@@ -127,6 +128,7 @@ Report describePackage(const std::filesystem::path& file, Context& context) {
     addTextures(report, package.textures.size());
     addPreview(report, package.preview);
     addSpringLaw(report, package.tissue.stiffening);
+    addBending(report, package.base, *package.tissue.network);
     addHolds(report, package.tissue, false);
     addStepping(report, package.stepping, package.tissue);
     addCriticalSteps(report, package.tissue);
@@ -170,6 +172,7 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
     addSpringLaw(report, tissue.stiffening);
+    addBending(report, project.base, *project.network);
     addHolds(report, tissue, project.scene.instruments.size());
     addStepping(report, project.stepping, tissue);
     addCriticalSteps(report, tissue);

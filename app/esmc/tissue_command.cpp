@@ -3,6 +3,7 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
+#include "app/esmc/wall_option.h"
 #include "core/authoring/regions.h"
 #include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/project/project_file.h"
@@ -24,6 +25,7 @@ struct TissueOptions {
     double rim = 0;               ///< m
     std::vector<double> biphasic; ///< strain and factor; empty without the option
     bool linear = false;
+    WallOption wall;
 };
 
 void declareTissue(CLI::App& command, TissueOptions& options) {
@@ -72,6 +74,7 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
             ->check(positiveNumber());
     command.add_flag("--linear", options.linear, "All springs of the organ are linear again")
         ->excludes(biphasic);
+    declareWall(command, options.wall);
 }
 
 void hold(TissueValues& held, const std::string& name, double value) {
@@ -104,7 +107,7 @@ ChosenPreset chosenPreset(const TissueOptions& options) {
 /// Whether the command line speaks of all springs or of what ties the organ alone: then there is no region to
 /// add.
 bool isOfOrganAlone(const TissueOptions& options, const ChosenPreset& preset) {
-    const bool hasLaw = options.linear || !options.biphasic.empty();
+    const bool hasLaw = options.linear || !options.biphasic.empty() || options.wall.isGiven;
     const bool hasWords = !options.system.empty() || (preset && preset->system);
     return (hasLaw || preset) && !hasWords && options.values.empty() && options.ellipsoid.empty() &&
            options.rim == 0 && options.name.empty() && options.overrides.empty();
@@ -206,6 +209,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     setSpringLaw(project.base, options);
+    setWall(project, options.wall);
     if (preset && !region.ellipsoid) tiePreset(project.scene, *preset);
     const bool addsRegion = !isOfOrganAlone(options, preset);
     std::vector<std::string> warnings = presetWarnings(preset, region);
@@ -220,6 +224,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
         describe(addsRegion ? std::optional(region.name) : std::nullopt, region.rim > 0, result, beneath);
     addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);
+    addBending(report, project.base, *project.network);
     addWritten(report, options.output);
     return report;
 }

@@ -113,6 +113,9 @@ Project scaled(const Project& project, double factor, KeptByScaling kept) {
         scale(region.ellipsoid, factor);
         region.rim *= factor;
     }
+    // No file holds a thicker one.
+    if (auto& thickness = result.base.bendingThickness)
+        thickness = std::min(*thickness * factor, thickestWall);
     scale(result.scene, factor);
     for (TextureLayer& layer : result.layers)
         scale(layer, factor);

@@ -166,6 +166,7 @@ Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork>
         takeDefaults(changed, projectOn(changed.network, project.name, {*project.mesh, *project.importReport},
                                         project.base.mass));
         changed.base.stiffening = project.base.stiffening;
+        changed.base.bendingThickness = project.base.bendingThickness;
     }
     reportProgress(progress, 1);
     return changed;

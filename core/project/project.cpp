@@ -1,6 +1,7 @@
 #include "core/project/project.h"
 
 #include "core/model/motion_model.h"
+#include "core/model/wall_hinges.h"
 #include "core/project/simulated_network.h"
 #include "core/project/solid_tissue.h"
 #include "core/project/surroundings.h"
@@ -188,6 +189,11 @@ RegionCount countOf(const SpringNetwork& network, const Region& region) {
     return count;
 }
 
+bool hasWall(const SpringNetwork& network) {
+    const Detail::Kind kind = detailOf(network).kind;
+    return kind != Detail::Kind::Filled && kind != Detail::Kind::Rigid;
+}
+
 TissueModel evaluateModel(const Project& project, const Scene& scene) {
     const std::size_t nodes = project.network->restPositions.size();
     TissueModel model;
@@ -201,6 +207,9 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     for (const Region& region : project.regions)
         lay(model, region, sizes);
     model.ownValues = latticeValues(model);
+    if (project.base.bendingThickness && hasWall(*model.network))
+        model.hinges = wallHinges(model, simulatedSurface(*project.mesh, *model.network),
+                                  *project.base.bendingThickness);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
     return model;

@@ -18,12 +18,17 @@
 
 namespace esm {
 
+inline constexpr double thickestWall = 1; ///< m, that may resist bending
+
 /// Tissue of the whole organ before any region.
 struct BaseTissue {
     double springConstant = 0;                    ///< N/m
     double viscosity = 0;                         ///< N·s/m
     double mass = 0;                              ///< kg, total
     std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
+    /// m, of the wall that a hollow organ is, by which it resists bending; without, it bends freely. A body
+    /// that is filled or moves rigidly has no such wall, and no use for it.
+    std::optional<double> bendingThickness{};
 
     bool operator==(const BaseTissue&) const = default;
 };
@@ -32,7 +37,10 @@ inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
     field("springConstant", &BaseTissue::springConstant, amountLimits("the organ's spring constant")),
     field("viscosity", &BaseTissue::viscosity, amountLimits("the organ's viscosity")),
     field("mass", &BaseTissue::mass, massLimits("the organ's mass")),
-    field("stiffening", &BaseTissue::stiffening).whenSet());
+    field("stiffening", &BaseTissue::stiffening).whenSet(),
+    field("bendingThickness", &BaseTissue::bendingThickness,
+          positiveLimits("the thickness of the wall that resists bending", "m", thickestWall))
+        .whenSet());
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
@@ -103,6 +111,9 @@ struct RegionCount {
 struct RegionResult : RegionCount {
     RegionTissue tissue;
 };
+
+/// Whether the organ is a surface, which a wall's thickness can make resist bending.
+bool hasWall(const SpringNetwork& network);
 
 /// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes. In a soft rim the region's
 /// spring constant and viscosity mix with those beneath in proportion to its weight w, w·c + (1 − w)·c',

@@ -18,6 +18,9 @@ constexpr int versionOfStretchedLayouts = 7;
 /// The first version in which a lattice may fill the body.
 constexpr int versionOfLattices = 8;
 
+/// The first version in which a wall may resist bending.
+constexpr int versionOfHinges = 9;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

@@ -29,6 +29,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
     if (extension.has("texture") && extension.member("texture").has("layout"))
         version = std::max(version, package_layout::versionOfStretchedLayouts);
     if (extension.has("lattice")) version = package_layout::versionOfLattices;
+    if (extension.has("hinges") || package.base.bendingThickness) version = package_layout::versionOfHinges;
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

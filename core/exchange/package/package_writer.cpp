@@ -98,6 +98,7 @@ Json PackageBuilder::surface() {
 }
 
 int PackageBuilder::version() const {
+    if (m_from.project.base.bendingThickness) return package_layout::versionOfHinges;
     if (m_network.lattice) return package_layout::versionOfLattices;
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
         return package_layout::versionOfStretchedLayouts;
@@ -119,6 +120,7 @@ Json PackageBuilder::extension() {
     json["springs"] = m_tissue.springs();
     json["tethers"] = m_tissue.tethers();
     json["fixedNodes"] = m_tissue.fixedNodes();
+    if (!m_from.tissue.hinges.empty()) json["hinges"] = m_tissue.hinges();
     json["surface"] = surface();
     if (isBound()) json["binding"] = m_tissue.binding();
     if (m_network.lattice) json["lattice"] = m_tissue.lattice();

@@ -11,7 +11,7 @@ namespace esm {
 /// The model package for simulators: one `.glb`, a textured mesh to any viewer, with the spring-mass model in
 /// the extension `ESM_spring_mass`. Specified in `docs/model-package.md`. This is the newest version; a
 /// package is of the oldest that has all it holds, see `versionOf()`.
-inline constexpr int modelPackageVersion = 8;
+inline constexpr int modelPackageVersion = 9;
 
 /// What of a package moves, and the surface that it carries: all that a simulator needs which draws by
 /// its own means. Nodes, springs and triangles are numbered as in the project it was made from.

@@ -21,6 +21,8 @@ public:
     nlohmann::ordered_json springs();
     nlohmann::ordered_json tethers();
     nlohmann::ordered_json fixedNodes();
+    /// Precondition: the tissue has hinges.
+    nlohmann::ordered_json hinges();
     /// Precondition: the network has a binding.
     nlohmann::ordered_json binding();
     /// Precondition: the network has a lattice.

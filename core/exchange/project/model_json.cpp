@@ -31,6 +31,7 @@ VersionNeeds needsOf(const std::vector<Region>& regions, bool binding, bool stif
 }
 
 int versionOf(const VersionNeeds& needs) {
+    if (needs.bending) return 13;
     if (needs.lattice) return 12;
     if (needs.finish || needs.retouching || needs.stretchedLayout) return 11;
     if (needs.shapedMasks) return 10;

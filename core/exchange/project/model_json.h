@@ -24,6 +24,7 @@ struct VersionNeeds {
     bool finish = false;            ///< how the surface shines: version 11
     bool stretchedLayout = false;   ///< a mesh's own texture coordinates, or triangles stretched: version 11
     bool lattice = false;           ///< a body that is filled: version 12
+    bool bending = false;           ///< a wall that resists bending: version 13
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

@@ -10,7 +10,7 @@ namespace esm {
 /// The project file `.esm`: a zip with a versioned JSON manifest, binary arrays and the photos' own files.
 /// Specified in `docs/project-file.md`.
 /// This is the newest version; a file is of the oldest that has all it holds, see `versionOf()`.
-constexpr int projectFileVersion = 12;
+constexpr int projectFileVersion = 13;
 
 struct OpenedProject {
     Project project;

@@ -73,6 +73,7 @@ int projectVersionOf(const Project& project) {
     needs.instruments = !hasPlainInstrument(project.scene);
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
+    needs.bending = project.base.bendingThickness.has_value();
     needs.lattice = project.network->lattice.has_value();
     needs.stretchedLayout = needsStretchedLayout(project);
     return versionOf(needs);
