@@ -10,6 +10,7 @@ enum class EditKind {
     // The whole organ.
     BaseTissue,
     Stiffening,
+    WallThickness,
     FixedNodes,
     // A region.
     HeldValue,

@@ -1,5 +1,6 @@
 #include "app/editor/panels/organ/model_panel.h"
 
+#include "app/editor/panels/organ/bending_row.h"
 #include "app/editor/panels/parameter_row.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -63,6 +64,7 @@ ModelPanel::ModelPanel(Document& document, Preview& preview, QWidget* parent)
     m_baseMass->setToolTip(tr("Spread evenly over the nodes, before the regions set theirs"));
     m_fixed->setToolTip(tr("Nodes held in space: the white dots with a dark edge in the picture"));
     body()->addWidget(rows);
+    body()->addWidget(new BendingRow(document, this));
     m_fixing = new QLabel(this);
     m_fixing->setObjectName(QStringLiteral("fixing"));
     m_fixing->setProperty("quiet", true);

@@ -153,6 +153,25 @@ TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
     EXPECT_FALSE(changesStiffness->isChecked());
 }
 
+TEST_F(PanelsTest, TheWallMayResistBending) {
+    auto* resists = child<QCheckBox>("resistsBending");
+    auto* thickness = child<QWidget>("bending")->findChild<NumberField*>();
+    EXPECT_FALSE(resists->isChecked());
+    EXPECT_FALSE(thickness->isVisible());
+    resists->click();
+    EXPECT_EQ(project().base.bendingThickness, wallThickness);
+    type(thickness, "5");
+    EXPECT_DOUBLE_EQ(*project().base.bendingThickness, 0.005);
+    resists->click();
+    EXPECT_FALSE(project().base.bendingThickness);
+    resists->click();
+    EXPECT_DOUBLE_EQ(*project().base.bendingThickness, 0.005) << "what was typed is not lost";
+    for (int i = 0; i < 4; ++i)
+        window->document().undoStack()->undo();
+    EXPECT_FALSE(project().base.bendingThickness);
+    EXPECT_FALSE(resists->isChecked());
+}
+
 TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
     auto* changesStiffness = child<QCheckBox>("changesStiffness");
     EXPECT_TRUE(changesStiffness->isVisible());
