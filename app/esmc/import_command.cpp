@@ -1,4 +1,5 @@
 #include "app/esmc/arguments.h"
+#include "app/esmc/bending_option.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/filling_options.h"
 #include "app/esmc/model_report.h"
@@ -23,6 +24,7 @@ struct ImportOptions {
     Detail detail;
     bool isEven = true;
     FillingOptions filling;
+    BendingOption bending;
 };
 
 Detail requestedDetail(const std::string& given) {
@@ -87,6 +89,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
         ->option_text("N|rigid");
     addSpringsChoice(command, options.isEven);
     declareFilling(command, options.filling, "without it the organ is hollow, its surface alone has springs");
+    declareBending(command, options.bending);
 }
 
 /// @throws UsageError, InvalidModel
@@ -134,9 +137,9 @@ Report runImport(const ImportOptions& options, Context& context) {
     const std::string doubt = doubtfulSize(size, options);
     if (!doubt.empty()) surface.report.warnings.push_back(doubt);
     const Detail detail = detailFor(options, surface.mesh);
-    const Project project =
-        makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface), options.mass,
-                    detail, progressOf(context, "building"));
+    Project project = makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface),
+                                  options.mass, detail, progressOf(context, "building"));
+    setBending(project, options.bending);
     return saveAndReport(project, output);
 }
 

@@ -1,4 +1,5 @@
 #include "app/esmc/arguments.h"
+#include "app/esmc/bending_option.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/critical_steps.h"
 #include "app/esmc/model_report.h"
@@ -144,6 +145,7 @@ Report describePackage(const std::filesystem::path& file, Context& context) {
     addTextures(report, package.textures.size());
     addPreview(report, package.preview);
     addSpringLaw(report, package.tissue.stiffening);
+    addBending(report, package.base, *package.tissue.network);
     addHolds(report, package.tissue, false);
     addStepping(report, package.stepping, package.tissue);
     addCriticalSteps(report, package.tissue);
@@ -188,6 +190,7 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
     addSpringLaw(report, tissue.stiffening);
+    addBending(report, project.base, *project.network);
     addHolds(report, tissue, project.scene.instruments.size());
     addStepping(report, project.stepping, tissue);
     addCriticalSteps(report, tissue);

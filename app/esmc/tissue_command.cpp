@@ -1,4 +1,5 @@
 #include "app/esmc/arguments.h"
+#include "app/esmc/bending_option.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
@@ -25,6 +26,7 @@ struct TissueOptions {
     std::vector<double> biphasic;        ///< strain and factor; empty without the option
     std::optional<double> wallThickness; // m
     bool linear = false;
+    BendingOption bending;
 };
 
 void declareTissue(CLI::App& command, TissueOptions& options) {
@@ -76,9 +78,10 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
         .add_option("--wall-thickness", options.wallThickness,
                     "Thickness of the organ's wall, m, of which spring constants mean Young's moduli (0.003 "
                     "until it is said)")
-        ->check(positiveNumber());
+        ->check(numberWithin(1e-6, thickestWall));
     command.add_flag("--linear", options.linear, "All springs of the organ are linear again")
         ->excludes(biphasic);
+    declareBending(command, options.bending);
 }
 
 bool isInClinicalUnits(const std::string& override) {
@@ -130,7 +133,8 @@ ChosenPreset chosenPreset(const TissueOptions& options) {
 /// Whether the command line speaks of all springs or of what ties the organ alone: then there is no region to
 /// add.
 bool isOfOrganAlone(const TissueOptions& options, const ChosenPreset& preset) {
-    const bool hasLaw = options.linear || !options.biphasic.empty() || options.wallThickness;
+    const bool hasLaw =
+        options.linear || !options.biphasic.empty() || options.wallThickness || options.bending.isGiven;
     const bool hasWords = !options.system.empty() || (preset && preset->system);
     return (hasLaw || preset) && !hasWords && options.values.empty() && options.ellipsoid.empty() &&
            options.rim == 0 && options.name.empty() && options.overrides.empty();
@@ -245,6 +249,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
     const ProjectOutput output(options.output);
     Project project = openedProject(options.project, context);
     setSpringLaw(project.base, options);
+    setBending(project, options.bending);
     if (preset && !region.ellipsoid) tiePreset(project.scene, *preset);
     const bool addsRegion = !isOfOrganAlone(options, preset);
     std::vector<std::string> warnings = presetWarnings(preset, region);
@@ -260,6 +265,7 @@ Report runTissue(const TissueOptions& options, Context& context) {
                              beneath, project.base.wallThickness);
     addPreset(report, preset, tetherCountOf(*project.network, project.scene));
     addSpringLaw(report, project.base.stiffening);
+    addBending(report, project.base, *project.network);
     addWritten(report, options.output);
     return report;
 }

@@ -113,6 +113,7 @@ Project scaled(const Project& project, double factor, KeptByScaling kept) {
         scale(region.ellipsoid, factor);
         region.rim *= factor;
     }
+    // No file holds a thicker one.
     scale(result.scene, factor);
     for (TextureLayer& layer : result.layers)
         scale(layer, factor);

@@ -173,6 +173,8 @@ Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork>
         takeDefaults(changed, projectOn(changed.network, project.name, {*project.mesh, *project.importReport},
                                         project.base.mass));
         changed.base.stiffening = project.base.stiffening;
+        changed.base.wallThickness = project.base.wallThickness;
+        changed.base.resistsBending = project.base.resistsBending;
     }
     // Refused here where the new nodes leave no room for the organ's fluids.
     cavitiesOf(changed.scene, *changed.network, simulatedSurface(*changed.mesh, *changed.network));

@@ -2,6 +2,7 @@
 
 #include "core/model/motion_model.h"
 #include "core/model/scene_cavities.h"
+#include "core/model/wall_hinges.h"
 #include "core/project/shared_tissue.h"
 #include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
@@ -193,6 +194,11 @@ RegionCount countOf(const SpringNetwork& network, const Region& region) {
     return count;
 }
 
+bool hasWall(const SpringNetwork& network) {
+    const Detail::Kind kind = detailOf(network).kind;
+    return kind != Detail::Kind::Filled && kind != Detail::Kind::Rigid;
+}
+
 TissueModel evaluateModel(const Project& project, const Scene& scene) {
     const std::size_t nodes = project.network->restPositions.size();
     TissueModel model;
@@ -206,6 +212,9 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
     for (const Region& region : project.regions)
         lay(model, region, sizes, project.base.wallThickness);
     model.ownValues = sharedValues(model, project.base.wallThickness);
+    if (project.base.resistsBending && hasWall(*model.network))
+        model.hinges =
+            wallHinges(model, simulatedSurface(*project.mesh, *model.network), project.base.wallThickness);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
     if (project.mesh && (!scene.fillings.empty() || !scene.pressures.empty()))

@@ -26,6 +26,9 @@ struct BaseTissue {
     double mass = 0;                              ///< kg, total
     std::optional<SpringStiffening> stiffening{}; ///< of all springs, in regions too; linear without
     double wallThickness = usualWallThickness;    ///< m, of which spring constants mean Young's moduli
+    /// Whether a hollow organ resists bending as that wall does; else it bends freely. A body that is filled
+    /// or moves rigidly has no such wall, and no use for it.
+    bool resistsBending = false;
 
     bool operator==(const BaseTissue&) const = default;
 };
@@ -35,8 +38,10 @@ inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
     field("viscosity", &BaseTissue::viscosity, amountLimits("the organ's viscosity")),
     field("mass", &BaseTissue::mass, massLimits("the organ's mass")),
     field("stiffening", &BaseTissue::stiffening).whenSet(),
-    field("wallThickness", &BaseTissue::wallThickness, positiveLimits("the wall's thickness", "m"))
-        .whenSet());
+    field("wallThickness", &BaseTissue::wallThickness,
+          positiveLimits("the wall's thickness", "m", thickestWall))
+        .whenSet(),
+    field("resistsBending", &BaseTissue::resistsBending).whenSet());
 
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
@@ -105,6 +110,9 @@ struct RegionCount {
 struct RegionResult : RegionCount {
     RegionTissue tissue;
 };
+
+/// Whether the organ is a surface, which a wall's thickness can make resist bending.
+bool hasWall(const SpringNetwork& network);
 
 /// Evaluates regions from the bottom up, then the scene's tethers and fixed nodes. In a soft rim the region's
 /// spring constant and viscosity mix with those beneath in proportion to its weight w, w·c + (1 − w)·c',

@@ -3,7 +3,7 @@ import json
 import math
 import unittest
 
-from esmc import DATA, Case, command
+from esmc import CUBE, DATA, Case, command
 
 
 class FuzzyTest(Case):
@@ -255,6 +255,60 @@ class ClinicalUnitsTest(Case):
         before = project.read_bytes()
         self.fails(2, "tissue", project, "--override", "relaxation_time=0.1", "-o", project, naming="relaxation_time")
         self.assertEqual(project.read_bytes(), before)
+
+
+class WallTest(Case):
+    def test_a_wall_resists_bending_and_bends_freely_again(self):
+        project = self.sample("tube")
+        before, bytes_before = self.done("info", project), project.read_bytes()
+        self.assertIsNone(before["bending_thickness"])
+        wall = self.file("wall.esm")
+        report = self.done("tissue", project, "--bending", "0.003", "-o", wall)
+        self.assertEqual((report["region"], report["bending_thickness"]), (None, 0.003))
+        self.assertEqual(self.done("info", wall)["bending_thickness"], 0.003)
+        self.assertIn("bending: resisted as by a wall of 3 mm", command("info", wall).stdout)
+        self.assertIsNone(self.done("tissue", wall, "--bending", "none", "-o", wall)["bending_thickness"])
+        self.assertEqual(wall.read_bytes(), bytes_before)
+
+    def test_import_makes_a_wall(self):
+        self.file("cube.obj", CUBE)
+        project = self.file("cube.esm")
+        self.done("import", self.file("cube.obj"), "--bending", "0.002", "-o", project)
+        self.assertEqual(self.done("info", project)["bending_thickness"], 0.002)
+
+    def test_what_is_filled_or_rigid_has_no_wall(self):
+        self.file("cube.obj", CUBE)
+        project = self.file("cube.esm")
+        self.fails(2, "import", self.file("cube.obj"), "--detail", "rigid", "--bending", "0.002", "-o", project,
+                   naming="only a hollow organ has a wall")
+        self.done("import", self.file("cube.obj"), "--detail", "rigid", "-o", project)
+        before = project.read_bytes()
+        self.fails(2, "tissue", project, "--bending", "0.002", "-o", project, naming="hollow")
+        self.assertEqual(project.read_bytes(), before)
+
+    def test_a_flap_keeps_its_form_that_else_hangs_down(self):
+        """A strip held at one end under gravity: as a wall of 20 mm it stays up, as a skin it hangs."""
+        rows, lines = 9, []
+        for x in range(rows):
+            lines += [f"v {0.01 * x} 0 0\n", f"v {0.01 * x} 0.01 0\n"]
+        for x in range(rows - 1):
+            a = 2 * x + 1
+            lines += [f"f {a} {a + 2} {a + 3}\n", f"f {a} {a + 3} {a + 1}\n"]
+        mesh, project = self.file("strip.obj", "".join(lines)), self.file("strip.esm")
+        scene = self.file("hang.json", {"duration": 3, "gravity": [0, 0, -9.81], "fixed": [{"nodes": [0, 1, 2, 3]}],
+                                        "tethers": [], "record": {"every": 3}})
+        sag = {}
+        for thickness in ("none", "0.02"):
+            self.done("import", mesh, "--mass", "0.001", "--bending", thickness, "-o", project)
+            self.done("tissue", project, "--override", "spring_constant=20", "--override", "viscosity=0.01",
+                      "-o", project)
+            frames = self.file(f"{thickness}.csv")
+            self.done("simulate", project, "--scene", scene, "-o", frames)
+            with open(frames) as table:
+                rows_of_nodes = list(csv.reader(table))[-2 * rows:]
+            sag[thickness] = -min(float(row[4]) for row in rows_of_nodes)
+        self.assertGreater(sag["none"], 0.05)
+        self.assertLess(sag["0.02"], 0.02)
 
 
 class BiphasicTest(Case):

@@ -24,6 +24,9 @@ constexpr int versionOfClinicalUnits = 9;
 /// The first version in which fluid may fill parts of the surface.
 constexpr int versionOfFillings = 9;
 
+/// The first version in which a wall may resist bending.
+constexpr int versionOfHinges = 9;
+
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;
 

@@ -25,6 +25,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
     const bool isBound = extension.has("binding");
     VersionNeeds needs = needsOf(package.regions, package.base, isBound);
     const bool isClinical = std::exchange(needs.clinicalUnits, false);
+    const bool resistsBending = std::exchange(needs.bending, false);
     int version = versionOf(needs);
     if (isBound && extension.member("binding").has("starts"))
         version = std::max(version, package_layout::versionOfWideBindings);
@@ -33,6 +34,7 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
     if (extension.has("lattice")) version = package_layout::versionOfLattices;
     if (isClinical) version = package_layout::versionOfClinicalUnits;
     if (extension.has("fillings")) version = package_layout::versionOfFillings;
+    if (extension.has("hinges") || resistsBending) version = package_layout::versionOfHinges;
     const auto needed = static_cast<std::uint64_t>(version);
     if (extension.member("version").integer(1, modelPackageVersion) < needed)
         extension.member("version").addProblem("should be " + std::to_string(needed) + " for what it holds");

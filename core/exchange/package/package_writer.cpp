@@ -100,6 +100,7 @@ Json PackageBuilder::surface() {
 int PackageBuilder::version() const {
     const VersionNeeds needs = needsOf(m_from.project.regions, m_from.project.base, isBound());
     if (needs.clinicalUnits) return package_layout::versionOfClinicalUnits;
+    if (needs.bending) return package_layout::versionOfHinges;
     if (m_tissue.hasFillings()) return package_layout::versionOfFillings;
     if (m_network.lattice) return package_layout::versionOfLattices;
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
@@ -121,6 +122,7 @@ Json PackageBuilder::extension() {
     json["springs"] = m_tissue.springs();
     json["tethers"] = m_tissue.tethers();
     json["fixedNodes"] = m_tissue.fixedNodes();
+    if (!m_from.tissue.hinges.empty()) json["hinges"] = m_tissue.hinges();
     json["surface"] = surface();
     if (m_tissue.hasFillings()) json["fillings"] = m_tissue.fillings();
     if (isBound()) json["binding"] = m_tissue.binding();

@@ -42,6 +42,7 @@ private:
     void readSprings(const JsonReader& group, SpringNetwork& network, TissueModel& tissue) const;
     void readOwnValues(const JsonReader& springs, TissueModel& tissue) const;
     void readTethers(const JsonReader& group, TissueModel& tissue) const;
+    void readHinges(const JsonReader& group, TissueModel& tissue) const;
     void readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const;
     BindingNumbers readRows(const JsonReader& group, std::size_t nodes, std::size_t vertices) const;
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
@@ -117,6 +118,19 @@ void TissueReader::readTethers(const JsonReader& group, TissueModel& tissue) con
     if (nodes.size() != count || springConstants.size() != count || viscosities.size() != count) return;
     for (std::size_t i = 0; i < count; ++i)
         tissue.tethers.push_back({nodes[i], springConstants[i], viscosities[i]});
+}
+
+void TissueReader::readHinges(const JsonReader& group, TissueModel& tissue) const {
+    const std::size_t count = countOf(group);
+    const std::vector<std::uint32_t> nodes =
+        m_arrays.indices(group.member("nodes"), 4 * count, tissue.mass.size());
+    const std::vector<double> stiffnesses = scalars(group, "stiffness", count);
+    const std::vector<double> viscosities = scalars(group, "viscosity", count);
+    if (nodes.size() != 4 * count || stiffnesses.size() != count || viscosities.size() != count) return;
+    for (std::size_t i = 0; i < count; ++i)
+        tissue.hinges.push_back({{nodes[4 * i], nodes[4 * i + 1], nodes[4 * i + 2], nodes[4 * i + 3]},
+                                 stiffnesses[i],
+                                 viscosities[i]});
 }
 
 void TissueReader::readSurface(const JsonReader& group, SpringNetwork& network, TriangleMesh& mesh) const {
@@ -212,6 +226,7 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
     readNodes(extension.member("nodes"), *network, package.tissue);
     readSprings(extension.member("springs"), *network, package.tissue);
     readTethers(extension.member("tethers"), package.tissue);
+    if (extension.has("hinges")) readHinges(extension.member("hinges"), package.tissue);
     const JsonReader fixed = extension.member("fixedNodes");
     if (const std::size_t count = countOf(fixed); count > 0)
         package.tissue.fixedNodes =

@@ -94,6 +94,20 @@ Json TissueWriter::fixedNodes() {
     return json;
 }
 
+Json TissueWriter::hinges() {
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> stiffnesses, viscosities;
+    for (const Hinge& hinge : m_tissue.hinges) {
+        nodes.insert(nodes.end(), hinge.nodes.begin(), hinge.nodes.end());
+        stiffnesses.push_back(hinge.stiffness);
+        viscosities.push_back(hinge.viscosity);
+    }
+    return {{"count", m_tissue.hinges.size()},
+            {"nodes", m_arrays.addIndices(nodes)},
+            {"stiffness", addScalars(stiffnesses, "stiffness of hinge")},
+            {"viscosity", addScalars(viscosities, "viscosity of hinge")}};
+}
+
 Json TissueWriter::binding() {
     const BindingNumbers numbers = numbersOf(*m_network.binding);
     const std::vector<Triangle>& triangles = m_network.binding->surface;

@@ -24,6 +24,8 @@ public:
     /// Whether fluid that resists is in some part.
     bool hasFillings() const;
     nlohmann::ordered_json fillings() const;
+    /// Precondition: the tissue has hinges.
+    nlohmann::ordered_json hinges();
     /// Precondition: the network has a binding.
     nlohmann::ordered_json binding();
     /// Precondition: the network has a sheet.

@@ -27,6 +27,7 @@ struct VersionNeeds {
     bool clinicalUnits = false; ///< fuzzy systems that say moduli or times, a wall's thickness: version 13
     bool sheet = false;         ///< springs that make an even sheet: version 13
     bool fluids = false;        ///< parts that fluid fills or presses: version 13
+    bool bending = false;       ///< a wall that resists bending: version 13
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

@@ -69,6 +69,12 @@ inline void expectSameTissue(const TissueModel& package, const TissueModel& proj
         EXPECT_EQ(package.ownValues[i].viscosity, rounded(project.ownValues[i].viscosity)) << i;
     }
     expectSameStiffening(package.stiffening, project.stiffening);
+    ASSERT_EQ(package.hinges.size(), project.hinges.size());
+    for (std::size_t i = 0; i < package.hinges.size(); ++i) {
+        EXPECT_EQ(package.hinges[i].nodes, project.hinges[i].nodes);
+        EXPECT_EQ(package.hinges[i].stiffness, rounded(project.hinges[i].stiffness));
+        EXPECT_EQ(package.hinges[i].viscosity, rounded(project.hinges[i].viscosity));
+    }
     EXPECT_EQ(package.fixedNodes, project.fixedNodes);
     ASSERT_EQ(package.tethers.size(), project.tethers.size());
     for (std::size_t i = 0; i < package.tethers.size(); ++i) {

@@ -194,6 +194,8 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     full.scene.moves = {{10, {{0, {0, 0, 0}}}}, {11, {{0, {0, 0, 1}}}}};
     full.scene.record.nodes = std::vector<std::uint32_t>{5, 700};
     full.base.stiffening = SpringStiffening{0.2, 5};
+    full.base.resistsBending = true;
+    full.base.wallThickness = 0.004;
     NodeSelection top;
     for (std::uint32_t node = 0; node < 61; ++node)
         top.nodes.push_back(node);
@@ -204,6 +206,11 @@ TEST(WithDetail, KeepsTheHoldOnTheSurroundingsAndWhatTheSceneSays) {
     EXPECT_EQ(fewer.base.mass, full.base.mass);
     EXPECT_EQ(evaluateModel(fewer).stiffening, full.base.stiffening);
     EXPECT_EQ(evaluateModel(withDetail(full, {Detail::Kind::Rigid})).stiffening, full.base.stiffening);
+    EXPECT_EQ(evaluateModel(fewer).hinges.size(), fewer.network->springs.size());
+    const Project rigid = withDetail(full, {Detail::Kind::Rigid});
+    EXPECT_EQ(rigid.base.resistsBending, full.base.resistsBending);
+    EXPECT_EQ(rigid.base.wallThickness, full.base.wallThickness);
+    EXPECT_THAT(evaluateModel(rigid).hinges, IsEmpty());
     EXPECT_NEAR(fewer.scene.tethers[0].springConstant * 50, 2.4 * 581, 1e-9);
     const auto& at = fewer.network->restPositions;
     EXPECT_LT((at[fewer.scene.forces[0].node] - mesh.vertices[700]).norm(), 0.03);

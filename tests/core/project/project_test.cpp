@@ -111,6 +111,17 @@ TEST(Model, SpreadsTheMassEvenlyAndTakesTheBaseTissue) {
     EXPECT_THAT(validate(model), IsEmpty());
 }
 
+TEST(Model, BendsFreelyOrAsAWallOfItsThickness) {
+    Project project = projectOf(sheet(4, 0.1), false, 0.5);
+    EXPECT_THAT(evaluateModel(project).hinges, IsEmpty());
+    project.base.resistsBending = true;
+    const TissueModel model = evaluateModel(project);
+    EXPECT_EQ(model.hinges.size(), 40U); // of 56 edges, 16 of them at the border
+    EXPECT_THAT(validate(project), IsEmpty());
+    project.base.wallThickness = 0;
+    EXPECT_THAT(validate(project), ElementsAre(HasSubstr("the wall's thickness must be")));
+}
+
 TEST(Model, LaysLaterRegionsOverEarlierOnes) {
     Project project = projectOf(sheet(2, 2), false); // nodes at 0, 1, 2 in x and y
     Region whole, corner = ball({0, 0, 0}, 1.1), nothing = ball({9, 9, 9}, 1);

@@ -95,8 +95,8 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     : QWidget(parent), m_document(document), m_selection(selection), m_reach(reach),
       m_tissue(new Section(tr("Tissue"), this)), m_results(new Section(tr("Results"), this)),
       m_choice(new FuzzyChoice(this)), m_clinical(new ClinicalRows(this)),
-      m_stiffening(new StiffeningRow(document, this)), m_system(new QLabel(this)),
-      m_users(quietLine(QStringLiteral("systemUsers"), this)),
+      m_stiffening(new StiffeningRow(document, this)), m_bending(new BendingBox(document, this)),
+      m_system(new QLabel(this)), m_users(quietLine(QStringLiteral("systemUsers"), this)),
       m_source(quietLine(QStringLiteral("tissueSource"), this)), m_hint(new QLabel(this)),
       m_warnings(new QLabel(this)) {
     auto* column = new QVBoxLayout(this);
@@ -121,6 +121,7 @@ TissuePanel::TissuePanel(Document& document, Selection& selection, SystemReach& 
     addClinicalRows();
     m_outputs = emptyColumn(m_results->body());
     m_results->body()->addWidget(m_stiffening);
+    m_results->body()->addWidget(m_bending);
     m_warnings->setProperty("warning", true);
     m_warnings->setWordWrap(true);
     m_results->body()->addWidget(m_warnings);
@@ -166,7 +167,9 @@ void TissuePanel::show() {
     m_system->setVisible(!m_system->text().isEmpty());
     m_hint->setText(hint());
     m_hint->setVisible(!m_hint->text().isEmpty());
-    m_stiffening->setVisible(!shown || !shown->ellipsoid);
+    const bool isWhole = !shown || !shown->ellipsoid;
+    m_stiffening->setVisible(isWhole);
+    m_bending->setVisible(isWhole);
     const RegionTissue tissue =
         shown ? evaluate(*shown, m_document.project().base.wallThickness) : RegionTissue{};
     for (const auto& refresh : m_refreshers)

@@ -5,6 +5,7 @@
 #include "app/editor/edits/system_reach.h"
 #include "app/editor/panels/fuzzy/fuzzy_choice.h"
 #include "app/editor/panels/parameter_row.h"
+#include "app/editor/panels/tissue/bending_box.h"
 #include "app/editor/panels/tissue/clinical_rows.h"
 #include "app/editor/panels/tissue/kept_values.h"
 #include "app/editor/panels/tissue/stiffening_row.h"
@@ -51,6 +52,7 @@ private:
     FuzzyChoice* m_choice;
     ClinicalRows* m_clinical;
     StiffeningRow* m_stiffening;
+    BendingBox* m_bending;
     QLabel *m_system, *m_users, *m_source, *m_hint, *m_warnings;
     KeptValues m_kept;
     QWidget *m_inputs, *m_outputs;

@@ -153,6 +153,21 @@ TEST_F(PanelsTest, TissueMayBeStifferWhenStretched) {
     EXPECT_FALSE(changesStiffness->isChecked());
 }
 
+TEST_F(PanelsTest, TheWallMayResistBending) {
+    auto* resists = child<QCheckBox>("resistsBending");
+    EXPECT_FALSE(resists->isChecked());
+    resists->click();
+    EXPECT_TRUE(project().base.resistsBending);
+    type(child<NumberField>("wallThickness"), "5");
+    EXPECT_DOUBLE_EQ(project().base.wallThickness, 0.005);
+    for (int i = 0; i < 2; ++i)
+        window->document().undoStack()->undo();
+    EXPECT_FALSE(project().base.resistsBending);
+    EXPECT_FALSE(resists->isChecked());
+    open(makeSample("uterus"));
+    EXPECT_FALSE(child<QCheckBox>("resistsBending")->isVisible()) << "what moves rigidly has no wall";
+}
+
 TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
     auto* changesStiffness = child<QCheckBox>("changesStiffness");
     EXPECT_TRUE(changesStiffness->isVisible());
