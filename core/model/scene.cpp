@@ -158,7 +158,8 @@ void checkFluids(SceneCheck& check, const Scene& scene) {
         check.requirePath(path, "[time, pressure]", place,
                           [](const PressurePoint& point) { return std::isfinite(point.pressure); });
         const auto isBeyond = [&](std::size_t point) {
-            return std::abs(path[point].pressure) > largestNumber;
+            const double pressure = std::abs(path[point].pressure);
+            return std::isfinite(pressure) && pressure > largestNumber;
         };
         Problems found;
         reportOffenders(found, "point", "with a pressure beyond " + roundedText(largestNumber) + " Pa",

@@ -268,7 +268,7 @@ class Package:
         if "starts" in self.json.get("binding", {}):
             needed = 6
         self.is_stretched = "layout" in self.json.get("texture", {})
-        known = (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
+        known = (9,) if "fillings" in self.json else (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
         check(self.json["version"] in known, "another version of the extension")
         check(not self.is_stretched or self.json["texture"]["layout"] in ("charts", "own"), "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")

@@ -55,6 +55,23 @@ Eigen::MatrixXd contactResponse(const ContactProblem& problem, const std::vector
     return matrix;
 }
 
+/// The contacts' normal velocities by which each fluid's response moves them: one column for each.
+Eigen::MatrixXd fluidMotion(const ContactProblem& problem) {
+    const std::vector<Vectors>& responses = problem.fluids.correction.responses();
+    Eigen::MatrixXd motion(static_cast<Eigen::Index>(problem.contacts.size()),
+                           static_cast<Eigen::Index>(responses.size()));
+    for (Eigen::Index c = 0; c < motion.rows(); ++c)
+        for (Eigen::Index i = 0; i < motion.cols(); ++i) {
+            const Contact& contact = problem.contacts[static_cast<std::size_t>(c)];
+            motion(c, i) = 0;
+            for (const auto& [node, weight] : contact.shares)
+                if (!problem.immovable[node])
+                    motion(c, i) +=
+                        weight * contact.plane.normal.dot(responses[static_cast<std::size_t>(i)][node]);
+        }
+    return motion;
+}
+
 /// How movable and led nodes answer to impulses.
 struct NodeAnswers {
     std::vector<std::uint32_t> nodes; ///< movable ones, then led ones
@@ -117,6 +134,9 @@ void lay(const ContactProblem& problem, const NodeAnswers& answers,
         response.add(answers.nodes[static_cast<std::size_t>(i)], onNodes.row(i), half);
     for (std::size_t i = 0; i < problem.led.size(); ++i)
         response.add(problem.led[i], onLed.row(static_cast<Eigen::Index>(i)), half);
+    if (!problem.fluids.isEmpty())
+        problem.fluids.takeOff(
+            problem.fluids.correction.excessOf(fluidMotion(problem).transpose() * impulses), half);
 }
 
 } // namespace
@@ -125,7 +145,12 @@ void pushContacts(const ContactProblem& problem, NodeImpulses& response, Eigen::
                   Vectors& half) {
     const NodeAnswers answers = answersOf(problem, response);
     const auto shares = sharesOf(problem, {answers.nodes.begin(), answers.nodes.begin() + answers.movable});
-    solveComplementarity(contactResponse(problem, shares, answers.velocities), problem, impulses);
+    Eigen::MatrixXd matrix = contactResponse(problem, shares, answers.velocities);
+    if (!problem.fluids.isEmpty()) {
+        const Eigen::MatrixXd motion = fluidMotion(problem);
+        matrix -= motion * problem.fluids.correction.excessOf(motion.transpose());
+    }
+    solveComplementarity(matrix, problem, impulses);
     lay(problem, answers, shares, impulses, response, half);
 }
 

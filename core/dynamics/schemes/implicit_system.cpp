@@ -20,7 +20,7 @@ class UnknownNodes {
 public:
     UnknownNodes(const StepMatrix& matrix, const std::vector<PrescribedNode>& prescribed, std::size_t count,
                  const GlobalTerms& terms)
-        : m_matrix(matrix), m_given(count), m_terms(terms) {
+        : m_matrix(matrix), m_given(count) {
         for (std::uint32_t i = 0; i < count; ++i)
             m_given[i] = matrix.isGiven(i);
         for (const PrescribedNode& led : prescribed)
@@ -42,7 +42,7 @@ public:
     /// What the preconditioner makes of a residual: the solution with the matrix and the terms beside it.
     Vectors preconditioned(const Vectors& residual) const {
         Vectors result = byMatrix(residual);
-        m_correction.correct(m_terms, result);
+        m_correction.correct(result);
         return result;
     }
 
@@ -57,7 +57,6 @@ private:
 
     const StepMatrix& m_matrix;
     std::vector<char> m_given;
-    const GlobalTerms& m_terms;
     GlobalCorrection m_correction;
 };
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "core/dynamics/global_terms.h"
 #include "core/dynamics/hinge_force.h"
 #include "core/dynamics/motion.h"
-#include "core/dynamics/schemes/global_terms.h"
+#include "core/dynamics/schemes/step_solver.h"
 #include "core/dynamics/settings.h"
 #include "core/dynamics/spring_force.h"
 #include "core/dynamics/step_matrix.h"

@@ -2,7 +2,7 @@
 
 #include "core/dynamics/forces.h"
 #include "core/dynamics/schemes/axial_dampers.h"
-#include "core/dynamics/schemes/global_terms.h"
+#include "core/dynamics/schemes/fluid_answers.h"
 #include "core/dynamics/schemes/implicit_system.h"
 #include "core/dynamics/schemes/schemes.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/schemes/global_terms.h"
+#include "core/dynamics/global_terms.h"
 #include "core/dynamics/schemes/step_scheme.h"
 #include "core/dynamics/settings.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/contact/contact_impulses.h"
 #include "core/dynamics/forces.h"
+#include "core/dynamics/schemes/fluid_answers.h"
 #include "core/dynamics/schemes/schemes.h"
 #include "core/dynamics/schemes/told_impulses.h"
 
@@ -249,6 +250,10 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
     const std::vector<ColliderMove>& colliders = piece.colliders;
     const std::vector<char> stays = immovable(piece);
     const std::vector<std::uint32_t> led = ledByImpulses(solver.matrix, piece.input.prescribed);
+    const FluidAnswers fluids = isExplicit(m_integrator)
+                                    ? FluidAnswers()
+                                    : fluidAnswersOf(solver, piece.input.prescribed,
+                                                     globalTermsOf(m_system, motion.positions, h * h));
     const Motion& free = untouched.motion;
     Motion next = free;
     std::vector<Contact> contacts;
@@ -266,7 +271,7 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
         impulses.conservativeResizeLike(Eigen::VectorXd::Zero(needed.size()));
         Vectors half = untouched.half;
         const double tolerance = impulseToleranceOf(contacts, colliders) / h;
-        pushContacts({contacts, needed, led, stays, tolerance}, solver.impulses, impulses, half);
+        pushContacts({contacts, needed, led, stays, tolerance, fluids}, solver.impulses, impulses, half);
         solver.matrix.solveUpper(std::move(half), next.velocities);
         for (std::size_t i = 0; i < next.positions.size(); ++i)
             if (!stays[i])
@@ -282,7 +287,7 @@ Motion Stepper::madeWay(const Motion& motion, const Piece& piece, UntouchedStep 
                   motion.positions,
                   free.velocities,
                   next.velocities,
-                  {contacts, needed, led, stays, 0},
+                  {contacts, needed, led, stays, 0, fluids},
                   impulses,
                   pushes},
                  solver, m_touches);

@@ -55,6 +55,15 @@ Vector3d takenUp(const SpringSystem::HingeElement& hinge, const MadeWay& way, co
     return sum;
 }
 
+/// A wall that moves as a whole gives a fluid's pressure nothing to push against: what does not move has the
+/// rest.
+Vector3d movableSum(const Vectors& gradient, const std::vector<char>& immovable) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 0; i < gradient.size(); ++i)
+        if (!immovable[i]) sum += gradient[i];
+    return sum;
+}
+
 /// N·s, that nodes which move must be given in all for a change of their velocities: their own momentum and
 /// what their ties take up within the step. Springs and hinges between them keep momentum.
 Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
@@ -75,6 +84,8 @@ Vector3d impulseFor(const Vectors& change, const MadeWay& way) {
         if (!immovable[tether.node])
             sum += (factors.damping * tether.viscosity + factors.stiffness * tether.springConstant) *
                    change[tether.node];
+    for (const GlobalTerm& term : way.problem.fluids.correction.terms())
+        sum += term.factor * scalarProduct(term.gradient, change) * movableSum(term.gradient, immovable);
     return sum;
 }
 

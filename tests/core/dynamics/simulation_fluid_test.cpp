@@ -157,7 +157,7 @@ TEST_P(FilledBall, KeepsItsVolumeWhenItIsSqueezed) {
 // An instrument gives way to nothing: the fluid does, all around.
 TEST_P(FilledBall, KeepsItsVolumeWhenAnInstrumentPokesIt) {
     const TissueModel model = tissue::filledBall(2, wall, {1e6, 0});
-    const SimulationSettings settings = settingsFor(model, 0.001);
+    const SimulationSettings settings = settingsFor(model, 0.002);
     const TriangleMesh mesh = tissue::sphereMesh(2, radius);
     Simulation simulation(model, settings, mesh.triangles);
     const double volume = tissue::volumeOf(model, model.network->restPositions);

@@ -25,7 +25,7 @@ TriangleMesh twoBalls() {
     return mesh;
 }
 
-std::string refusalOf(const TriangleMesh& mesh, std::uint32_t part) {
+std::string cavityRefusal(const TriangleMesh& mesh, std::uint32_t part) {
     try {
         cavityOf(mesh.vertices, mesh.triangles, part);
     } catch (const InvalidModel& refused) {
@@ -55,24 +55,25 @@ TEST(Cavity, FacesOutwardsWhicheverWayTheSurfaceDoes) {
 }
 
 TEST(Cavity, IsRefusedWhereNoFluidWouldStay) {
-    EXPECT_THAT(refusalOf(twoBalls(), 2), HasSubstr("no part 2"));
-    EXPECT_THAT(refusalOf(twoBalls(), 2), HasSubstr("it has 2"));
-    EXPECT_THAT(refusalOf({}, 0), HasSubstr("it has none"));
+    EXPECT_THAT(cavityRefusal(twoBalls(), 2), HasSubstr("no part 2"));
+    EXPECT_THAT(cavityRefusal(twoBalls(), 2), HasSubstr("it has 2"));
+    EXPECT_THAT(cavityRefusal({}, 0), HasSubstr("it has none"));
 
     TriangleMesh open = twoBalls();
     open.triangles.pop_back();
-    EXPECT_EQ(refusalOf(open, 0), "");
-    EXPECT_THAT(refusalOf(open, 1), HasSubstr("part 1 of the surface is open"));
-    EXPECT_THAT(refusalOf(open, 1), HasSubstr("3 open edges in 1 borders, the longest of 3 edges, near ("));
+    EXPECT_EQ(cavityRefusal(open, 0), "");
+    EXPECT_THAT(cavityRefusal(open, 1), HasSubstr("part 1 of the surface is open"));
+    EXPECT_THAT(cavityRefusal(open, 1),
+                HasSubstr("3 open edges in 1 borders, the longest of 3 edges, near ("));
 
     TriangleMesh turned = twoBalls();
     std::swap(turned.triangles[0][0], turned.triangles[0][1]);
-    EXPECT_THAT(refusalOf(turned, 0), HasSubstr("at 3 edges it turns its inside out"));
+    EXPECT_THAT(cavityRefusal(turned, 0), HasSubstr("at 3 edges it turns its inside out"));
 
     TriangleMesh flat = tissue::sphereMesh(1, 1);
     for (Eigen::Vector3d& vertex : flat.vertices)
         vertex.z() = 0;
-    EXPECT_THAT(refusalOf(flat, 0), HasSubstr("encloses nothing"));
+    EXPECT_THAT(cavityRefusal(flat, 0), HasSubstr("encloses nothing"));
 }
 
 TEST(Cavity, IsPartOfATissuesProblems) {

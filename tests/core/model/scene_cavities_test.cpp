@@ -13,8 +13,8 @@ using testing::HasSubstr;
 
 namespace {
 
-std::string refusalOf(const Scene& scene, const SpringNetwork& network,
-                      const std::vector<Triangle>& surface) {
+std::string cavitiesRefusal(const Scene& scene, const SpringNetwork& network,
+                            const std::vector<Triangle>& surface) {
     try {
         cavitiesOf(scene, network, surface);
     } catch (const InvalidModel& refused) {
@@ -23,7 +23,7 @@ std::string refusalOf(const Scene& scene, const SpringNetwork& network,
     return {};
 }
 
-std::vector<std::string> problemsOf(const Scene& scene) {
+std::vector<std::string> sceneProblems(const Scene& scene) {
     return validate(scene, 10);
 }
 
@@ -50,12 +50,13 @@ TEST(SceneCavities, AreRefusedUnderTheEntryThatNamesThem) {
     Scene scene;
     scene.fillings = {{0, 5000}};
     scene.pressures = {{0, {{0, 10}}}, {1, {{0, 10}}}};
-    EXPECT_THAT(refusalOf(scene, network, ball.triangles), HasSubstr("pressures[1]: there is no part 1"));
+    EXPECT_THAT(cavitiesRefusal(scene, network, ball.triangles),
+                HasSubstr("pressures[1]: there is no part 1"));
     ball.triangles.pop_back();
-    EXPECT_THAT(refusalOf(scene, network, ball.triangles),
+    EXPECT_THAT(cavitiesRefusal(scene, network, ball.triangles),
                 HasSubstr("fillings[0]: part 0 of the surface is open"));
     network.lattice.emplace();
-    EXPECT_THAT(refusalOf(scene, network, ball.triangles),
+    EXPECT_THAT(cavitiesRefusal(scene, network, ball.triangles),
                 HasSubstr("fillings[0]: a lattice fills this organ"));
 }
 
@@ -72,26 +73,26 @@ TEST(SceneFluids, AreRefusedWhereTheyCannotBe) {
     Scene scene;
     scene.fillings = {{0, 1e5}, {3, 1e-3}};
     scene.pressures = {{0, {{0, 0}, {1, 2000}}}};
-    EXPECT_THAT(problemsOf(scene), testing::IsEmpty());
+    EXPECT_THAT(sceneProblems(scene), testing::IsEmpty());
     for (const double stiffness : {0.0, -1.0, 2e30, std::numeric_limits<double>::quiet_NaN()}) {
         scene.fillings[1].stiffness = stiffness;
-        EXPECT_THAT(problemsOf(scene),
+        EXPECT_THAT(sceneProblems(scene),
                     ElementsAre(HasSubstr("fillings[1]: the stiffness of the fluid must be above 0")));
     }
     scene.fillings = {{2, 1}, {2, 1}};
-    EXPECT_THAT(problemsOf(scene),
+    EXPECT_THAT(sceneProblems(scene),
                 ElementsAre(HasSubstr("fillings[1]: part 2 stands in an earlier entry too")));
     scene.fillings.clear();
     scene.pressures = {{0, {{0, 0}, {1, 2}, {1, 3}}}, {1, {}}, {0, {{0, 2e30}}}};
-    EXPECT_THAT(problemsOf(scene),
+    EXPECT_THAT(sceneProblems(scene),
                 ElementsAre(HasSubstr("pressures[0]: 1 point not later than the one before it (point 2)"),
                             HasSubstr("pressures[1]: the path has no point; give [time, pressure]"),
                             HasSubstr("pressures[2]: part 0 stands in an earlier entry too"),
                             HasSubstr("pressures[2]: 1 point with a pressure beyond 1e+30 Pa")));
     scene.pressures = {{0, {{0, std::numeric_limits<double>::infinity()}}}};
-    EXPECT_THAT(problemsOf(scene), ElementsAre(HasSubstr("not finite")));
+    EXPECT_THAT(sceneProblems(scene), ElementsAre(HasSubstr("not finite")));
     scene.pressures.clear();
     for (std::uint32_t part = 0; part < 17; ++part)
         scene.fillings.push_back({part, 1});
-    EXPECT_THAT(problemsOf(scene), ElementsAre(HasSubstr("no more than 16 parts")));
+    EXPECT_THAT(sceneProblems(scene), ElementsAre(HasSubstr("no more than 16 parts")));
 }

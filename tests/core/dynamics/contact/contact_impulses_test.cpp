@@ -33,7 +33,7 @@ struct Pushed {
         impulses = Eigen::VectorXd::Zero(needed.size());
         Vectors half;
         matrix.solveLower(velocities, velocities, half);
-        pushContacts({contacts, needed, {}, immovable, 1e-15}, response, impulses, half);
+        pushContacts({contacts, needed, {}, immovable, 1e-15, {}}, response, impulses, half);
         matrix.solveUpper(half, velocities);
     }
 

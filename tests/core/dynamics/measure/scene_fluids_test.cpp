@@ -91,7 +91,7 @@ TEST_P(SceneFluidsOrder, IsThatOfTheIntegrator) {
     scene.pressures = {{0, {{0, 0}, {0.1, 300}}}};
     const TissueModel model = ballIn(scene, 0, {30, 0.1, 0.02});
     const Vectors exact = endOf(model, scene, withStep(Integrator::Rk4, 1e-5));
-    const double step = 0.01 / std::ceil(orderOf(integrator) < 4 ? 16 : 8);
+    const double step = 0.01 / std::ceil(orderOf(integrator) < 4 ? 48 : 16);
     const double coarse = farthest(endOf(model, scene, withStep(integrator, step)), exact);
     const double fine = farthest(endOf(model, scene, withStep(integrator, step / 2)), exact);
     EXPECT_GT(coarse, 1e-9 * tissue::ballRadius);

@@ -41,7 +41,9 @@ Eigen::MatrixXd dense(const Eigen::SparseMatrix<double>& lower) {
 }
 
 Eigen::MatrixXd dense(const SymmetricSum& sum) {
-    return dense(sum.lower) + sum.factor * sum.columns * sum.columns.transpose();
+    Eigen::MatrixXd result = dense(sum.lower);
+    if (sum.columns.cols() > 0) result += sum.factor * sum.columns * sum.columns.transpose();
+    return result;
 }
 
 bool isDefinite(const StepFamily& family, double h) {

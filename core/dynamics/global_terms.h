@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dynamics/schemes/step_solver.h"
+#include "core/dynamics/spring_system.h"
 
 #include <Eigen/Dense>
 
@@ -23,22 +23,24 @@ class GlobalCorrection {
 public:
     GlobalCorrection() = default;
     /// @param responses A⁻¹·g of each term, 0 where velocities are given
-    GlobalCorrection(const GlobalTerms& terms, std::vector<Vectors> responses);
+    GlobalCorrection(GlobalTerms terms, std::vector<Vectors> responses);
+
+    bool isEmpty() const { return m_terms.empty(); }
+    const GlobalTerms& terms() const { return m_terms; }
+    const std::vector<Vectors>& responses() const { return m_responses; }
 
     /// Of each term's response, how much a solution with A alone has too much.
-    Eigen::VectorXd excess(const GlobalTerms& terms, const Vectors& solution) const;
+    Eigen::VectorXd excess(const Vectors& solution) const;
+    /// The same by the solution's products with the gradients, one in each row: of many solutions at once.
+    Eigen::MatrixXd excessOf(const Eigen::MatrixXd& products) const { return m_coupling.solve(products); }
     /// Takes that off.
-    void correct(const GlobalTerms& terms, Vectors& solution) const;
+    void correct(Vectors& solution) const;
 
 private:
+    GlobalTerms m_terms;
     std::vector<Vectors> m_responses;
     Eigen::LLT<Eigen::MatrixXd> m_coupling; ///< 1/σ + gᵀ·A⁻¹·g, between the terms
 };
-
-/// Solves for a step's velocities with its constant matrix and the terms beside it. Given and led nodes' are
-/// given in `velocities`; `half` is the half-solved step, for impulses on single nodes.
-void solveStep(StepSolver& solver, const std::vector<PrescribedNode>& prescribed, const GlobalTerms& terms,
-               const Vectors& momentum, Vectors& velocities, Vectors& half);
 
 double scalarProduct(const Vectors& a, const Vectors& b);
 /// target += factor·vectors
