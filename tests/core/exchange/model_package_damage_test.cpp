@@ -158,8 +158,8 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
     exportPackage(richProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));
     const std::vector<Damage> cases{
-        {"/version", 9,
-         "was made by a newer version (9) of the program; this one reads up to 8; update the program"},
+        {"/version", 10,
+         "was made by a newer version (10) of the program; this one reads up to 9; update the program"},
         {"/version", "one", "version"},
         {"/damping", "axial", "damping"},
         {"/stiffening", true, "stiffening"},

@@ -56,10 +56,10 @@ TEST_F(ProjectFile, WhatIsNoProjectIsRefused) {
 }
 
 TEST_F(ProjectFile, ANewerVersionSaysSo) {
-    saveWithManifest("/version", 13);
+    saveWithManifest("/version", 14);
     EXPECT_THAT(loadingError(),
-                HasSubstr("organ.esm: was made by a newer version (13) of the program; this one reads "
-                          "up to 12; update the program"));
+                HasSubstr("organ.esm: was made by a newer version (14) of the program; this one reads "
+                          "up to 13; update the program"));
 }
 
 void setNumber(ZipEntry& entry, std::size_t place, std::uint32_t number) {

@@ -152,7 +152,10 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(versionWith(sensitive), 10);
     adjusted.adjustment.hue = 5;
     EXPECT_EQ(versionWith(adjusted), 11);
-    EXPECT_EQ(version(filledProject()), projectFileVersion);
+    EXPECT_EQ(version(filledProject()), 12);
+    Project wall = filledProject();
+    wall.base.bendingThickness = 0.003;
+    EXPECT_EQ(version(wall), projectFileVersion);
     Project pressed = paintedProject();
     for (TextureLayer& layer : pressed.layers)
         for (auto& stroke : layer.strokes) {
