@@ -299,7 +299,7 @@ class WallTest(Case):
                                         "tethers": [], "record": {"every": 3}})
         sag = {}
         for thickness in ("none", "0.02"):
-            self.done("import", mesh, "--mass", "0.001", "--bending", thickness, "-o", project)
+            self.done("import", mesh, "--mass", "0.0002", "--bending", thickness, "-o", project)
             self.done("tissue", project, "--override", "spring_constant=20", "--override", "viscosity=0.01",
                       "-o", project)
             frames = self.file(f"{thickness}.csv")

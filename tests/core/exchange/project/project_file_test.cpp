@@ -155,6 +155,9 @@ TEST_F(ProjectFile, IsOfTheVersionThatProgramsNeedToReadIt) {
     EXPECT_EQ(version(filledProject()), 12);
     EXPECT_EQ(version(sheetProject()), projectFileVersion);
     EXPECT_EQ(version(clinicalProject()), projectFileVersion);
+    Project wall = filledProject();
+    wall.base.resistsBending = true;
+    EXPECT_EQ(version(wall), projectFileVersion);
     Project pressed = paintedProject();
     for (TextureLayer& layer : pressed.layers)
         for (auto& stroke : layer.strokes) {
