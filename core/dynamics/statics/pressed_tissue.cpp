@@ -123,11 +123,16 @@ double PressedTissue::potential(double depth, const Vectors& positions) const {
 void PressedTissue::balance() {
     double changed = 1;
     for (int round = 0; round < mostRounds; ++round) {
-        minimise(std::max(balanced, looseness * changed));
+        const double before = m_depth;
+        const double loose = std::max(balanced, looseness * changed);
+        minimise(loose);
         changed = m_contacts.update(centre(m_depth), m_motion.positions);
+        if (m_pushed) // whose force is there from the first round on
+            changed = std::max(changed, std::abs(m_depth - before) /
+                                            std::max(std::abs(m_depth), firstTouch * m_indenter.radius));
         const bool isNew =
             m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
-        if (changed <= steady && !isNew) return;
+        if (changed <= steady && !isNew && loose <= looseness * steady) return;
     }
     throw InvalidModel("the tissue beneath the finger comes to no rest: press less deep, or in more steps");
 }
