@@ -24,10 +24,10 @@ COMMENT_SHARE = (0.04, 0.20)
 # Where algorithms stand each is explained above its source, so that less than this means some are not.
 LEAST_ALGORITHM_SHARE = 0.12
 # The core's folders in the order in which they build on each other; what is drawn stands beside them.
-CORE_ORDER = ("support", "geometry", "model", "dynamics", "decoding", "surface", "solid", "fuzzy", "texture", "project", "authoring",
+CORE_ORDER = ("support", "geometry", "model", "dynamics", "decoding", "surface", "solid", "probing", "fuzzy", "texture", "project", "authoring",
               "exchange", "samples")
 # Of these, the folders of algorithms.
-ALGORITHM_FOLDERS = ("geometry", "model", "dynamics", "surface", "solid", "fuzzy", "texture")
+ALGORITHM_FOLDERS = ("geometry", "model", "dynamics", "surface", "solid", "probing", "fuzzy", "texture")
 MAY_INCLUDE = {
     "core": ("core",),
     "widgets": ("core", "widgets"),

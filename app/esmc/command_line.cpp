@@ -40,6 +40,7 @@ void describe(CLI::App& app, Context& context) {
     addSimulateCommand(app, context);
     addStabilityCommand(app, context);
     addTradeoffCommand(app, context);
+    addProbeCommand(app, context);
     addExtremesCommand(app, context);
     addTextureCommands(app, context);
     addExportCommand(app, context);

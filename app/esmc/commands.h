@@ -18,6 +18,7 @@ void addSceneCommand(CLI::App& app, Context& context);
 void addSimulateCommand(CLI::App& app, Context& context);
 void addStabilityCommand(CLI::App& app, Context& context);
 void addTradeoffCommand(CLI::App& app, Context& context);
+void addProbeCommand(CLI::App& app, Context& context);
 void addExtremesCommand(CLI::App& app, Context& context);
 void addTextureCommands(CLI::App& app, Context& context);
 void addFinishCommand(CLI::App& texture, Context& context);

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from esmc import ESMC, Case, command
 
-COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scale", "inside", "sheet", "scene", "simulate", "stability", "extremes", "tradeoff",
+COMMANDS = ["import", "sample", "info", "fuzzy", "tissue", "scale", "inside", "sheet", "scene", "simulate", "stability", "probe", "extremes", "tradeoff",
             "texture", "export", "validate", "render", "fuzzy eval", "fuzzy convert", "texture pack", "texture photo", "texture replace", "texture fit", "texture finish", "texture bake"]
 
 

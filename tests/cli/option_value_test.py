@@ -53,6 +53,11 @@ COMMANDS = {
                            "--plot": ["-", "chart.gif", "chart", ""], "--csv": ["-", "out.esm", ""],
                            "--damping": ["none", ""], "-o": TO_PROJECT,
                            "--save": ["best", ""]},
+    "probe organ.esm --at 0,0,0": {"model": FILE, "--at": ["x", "1 2", "nan 0 0", ""], "--node": None,
+                                   "--direction": ["x", "1 2", "nan 0 0", ""], "--radius": POSITIVE,
+                                   "--depth": POSITIVE, "--steps": WHOLE + ["0", "1001"], "--relax": POSITIVE,
+                                   "--creep": POSITIVE, "--creep-time": POSITIVE, "--with": FILE,
+                                   "--csv": ["-", "out.esm", ""], "--plot": ["-", "chart.gif", "chart", ""]},
     "extremes": {"-o": ["-", "out.esm", ""]},
     "texture pack organ.esm": {
         "project": FILE, "-o": TO_PROJECT, "--size": WHOLE + ["0", "-5", "16385"], "--pages": WHOLE + ["0", "-1", "65"],

@@ -1,0 +1,211 @@
+#include "core/dynamics/statics/pressed_tissue.h"
+
+#include "core/support/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double closeness = 1e-5;      ///< in radii, of triangles that were not known to be inside
+constexpr double steady = 3e-4;         ///< of the force, from one update of the pushes to the next
+constexpr double balanced = 1e-6;       ///< of forces that are left, over the pushes
+constexpr double looseness = 0.01;      ///< of the balance, while the pushes still change by all
+constexpr double nearlyBalanced = 1e-4; ///< the same where rounding lets nothing more be gained
+constexpr double smallMove = 1e-4;      ///< in radii
+constexpr double firstTouch = 1e-3;     ///< in radii
+constexpr int mostRounds = 60, mostDownhillSteps = 300, mostShortenings = 30, mostShifts = 8;
+constexpr double leastPromisedPart = 1e-4; ///< of what the slope promises (Armijo 1966)
+
+/// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
+std::vector<double> nodeStiffness(const SpringSystem& system, double rate) {
+    std::vector<double> sums(system.mass.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        sums[i] = rate * rate * system.mass[i];
+    for (const auto& spring : system.springs)
+        for (const std::uint32_t node : {spring.first, spring.second})
+            sums[node] += largestSpringConstant(spring) + rate * spring.viscosity;
+    for (const Tether& tether : system.tethers)
+        sums[tether.node] += tether.springConstant + rate * tether.viscosity;
+    return sums;
+}
+
+Vectors placesOfAllRows(const SpringSystem& system) {
+    Vectors places;
+    for (std::size_t node = 0; node < system.fixed.size(); ++node)
+        if (!system.fixed[node]) places.insert(places.end(), 3, system.network->restPositions[node]);
+    return places;
+}
+
+} // namespace
+
+PressedTissue::PressedTissue(const SpringSystem& system, std::vector<Triangle> surface,
+                             const Indenter& indenter, std::function<void()> checkpoint)
+    : m_system(system), m_indenter(indenter), m_checkpoint(std::move(checkpoint)), m_potential(system),
+      m_contacts(std::move(surface), system.fixed, indenter.radius), m_motion{system.network->restPositions,
+                                                                              Vectors(system.mass.size(),
+                                                                                      Vector3d::Zero())},
+      m_perDepth(system.mass.size(), Vector3d::Zero()), m_rowPlaces(placesOfAllRows(system)) {}
+
+double PressedTissue::force() const {
+    return m_contacts.force(centre(m_depth), m_motion.positions).dot(m_indenter.inwards);
+}
+
+void PressedTissue::settle(const Drive& wanted) {
+    const Vectors before = m_motion.positions;
+    const double depth = m_depth;
+    setLapse({});
+    drive(wanted);
+    expect(m_perDepth, m_depth - depth);
+    balance();
+    for (std::size_t i = 0; m_depth != depth && i < before.size(); ++i)
+        m_perDepth[i] = (m_motion.positions[i] - before[i]) / (m_depth - depth);
+    std::fill(m_motion.velocities.begin(), m_motion.velocities.end(), Vector3d::Zero());
+}
+
+void PressedTissue::step(const Drive& wanted, double duration) {
+    const Vectors before = m_motion.positions;
+    setLapse(TimeLapse{duration, m_motion});
+    drive(wanted);
+    expect(m_motion.velocities, duration);
+    balance();
+    for (std::size_t i = 0; i < before.size(); ++i)
+        m_motion.velocities[i] = (m_motion.positions[i] - before[i]) / duration;
+}
+
+void PressedTissue::setLapse(std::optional<TimeLapse> lapse) {
+    std::vector<double> stiffness = nodeStiffness(m_system, lapse ? 1 / lapse->duration : 0);
+    m_stiffest = *std::max_element(stiffness.begin(), stiffness.end());
+    m_contacts.setStiffness(std::move(stiffness));
+    m_potential.setLapse(std::move(lapse));
+}
+
+// A finger that touches nothing has no depth at which a force on it is balanced: the search for one begins
+// where it touches.
+void PressedTissue::drive(const Drive& wanted) {
+    m_pushed.reset();
+    if (const auto* const given = std::get_if<AtDepth>(&wanted))
+        m_depth = given->depth;
+    else
+        m_pushed = std::get<UnderForce>(wanted).force;
+    const double tolerance = closeness * m_indenter.radius;
+    m_contacts.find(centre(m_depth), m_motion.positions, tolerance);
+    if (!m_pushed || m_contacts.pushes(centre(m_depth), m_motion.positions) > 0) return;
+    m_depth += firstTouch * m_indenter.radius;
+    m_contacts.find(centre(m_depth), m_motion.positions, tolerance);
+}
+
+/// Begins the search for balance where tissue should come to if it goes on as before, unless that is worse.
+void PressedTissue::expect(const Vectors& change, double factor) {
+    Vectors expected = m_motion.positions;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        if (!m_system.fixed[i]) expected[i] += factor * change[i];
+    if (potential(m_depth, expected) < potential(m_depth, m_motion.positions))
+        m_motion.positions = std::move(expected);
+}
+
+double PressedTissue::potential(double depth, const Vectors& positions) const {
+    return m_potential.value(positions) + m_contacts.energy(centre(depth), positions) -
+           m_pushed.value_or(0) * depth;
+}
+
+// Tissue comes to rest where its energy is least of all places that leave the sphere free. Two loops find it.
+// The inner one goes downhill by Newton's method, while triangles that are inside the sphere are pushed out
+// as hard as they are inside. The outer one raises the pushes by what is still inside, and looks for
+// triangles that the tissue brought into the sphere meanwhile. It ends where neither changes anything.
+//
+// A simulation with an instrument comes to the same force within a thousandth, but has to be waited for: a
+// tissue takes seconds to come to rest beneath a finger, and longer the finer and softer it is.
+void PressedTissue::balance() {
+    double changed = 1;
+    for (int round = 0; round < mostRounds; ++round) {
+        const double before = m_depth;
+        const double loose = std::max(balanced, looseness * changed);
+        minimise(loose);
+        changed = m_contacts.update(centre(m_depth), m_motion.positions);
+        if (m_pushed) // whose force is there from the first round on
+            changed = std::max(changed, std::abs(m_depth - before) /
+                                            std::max(std::abs(m_depth), firstTouch * m_indenter.radius));
+        const bool isNew =
+            m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
+        if (changed <= steady && !isNew && loose <= looseness * steady) return;
+    }
+    throw InvalidModel("the tissue beneath the finger comes to no rest: press less deep, or in more steps");
+}
+
+/// What forces leave over, relative to the pushes; on nodes, where these are small, to what moves one a
+/// little.
+double PressedTissue::imbalance(const Vectors& forces) const {
+    double largest = 0;
+    for (const Vector3d& force : forces)
+        largest = std::max(largest, force.norm());
+    const double pushed = m_pushed.value_or(0);
+    const double left = largest / std::max({m_contacts.pushes(centre(m_depth), m_motion.positions), pushed,
+                                            smallMove * m_indenter.radius * m_stiffest});
+    return m_pushed ? std::max(left, std::abs(pushed - force()) / pushed) : left;
+}
+
+void PressedTissue::minimise(double tolerance) {
+    Vectors forces;
+    for (int step = 0; step < mostDownhillSteps; ++step) {
+        if (m_checkpoint) m_checkpoint();
+        m_potential.forces(m_motion.positions, forces);
+        m_contacts.addForces(centre(m_depth), m_motion.positions, forces);
+        const double left = imbalance(forces);
+        if (left <= tolerance) return;
+        if (go(newtonWay(forces))) continue;
+        if (left <= nearlyBalanced) return;
+        break;
+    }
+    throw InvalidModel("the tissue beneath the finger finds no balance, as where it folds: press less deep, "
+                       "or in more steps");
+}
+
+// The exact curvature makes Newton's method converge in a few steps, where it is positive. Where it is not,
+// what may be negative is left out; and what nothing resists then, as a flat sheet across, is resisted a
+// little.
+NewtonWay PressedTissue::newtonWay(const Vectors& forces) {
+    if (auto way = newtonWay(forces, Curvature::Exact, 0)) return *way;
+    double shift = 0;
+    for (int attempt = 0; attempt < mostShifts; ++attempt) {
+        if (auto way = newtonWay(forces, Curvature::Positive, shift)) return *way;
+        shift = attempt == 0 ? 1e-9 * m_stiffest : 10 * shift;
+    }
+    throw InvalidModel("the tissue beneath the finger cannot be balanced, since next to nothing holds parts "
+                       "of it: give it tethers or fixed nodes");
+}
+
+std::optional<NewtonWay> PressedTissue::newtonWay(const Vectors& forces, Curvature curvature, double shift) {
+    BlockEntries entries(m_system.fixed);
+    m_potential.addStiffness(m_motion.positions, curvature, entries);
+    m_contacts.addStiffness(centre(m_depth), m_motion.positions, curvature, entries);
+    for (std::uint32_t i = 0; i < forces.size(); ++i)
+        entries.add(i, i, shift * Eigen::Matrix3d::Identity());
+    const std::optional<BlockFactor> factor = m_factoriser.factorise(entries.matrix(), m_rowPlaces);
+    if (!factor) return {};
+    const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions, entries);
+    return esm::newtonWay(*factor, entries, {forces, push, m_pushed});
+}
+
+/// As much of the way as lowers the potential; false where none does.
+bool PressedTissue::go(const NewtonWay& way) {
+    const double here = potential(m_depth, m_motion.positions);
+    Vectors tried(way.nodes.size());
+    double part = 1;
+    for (int shortening = 0; shortening < mostShortenings; ++shortening, part /= 2) {
+        for (std::size_t i = 0; i < tried.size(); ++i)
+            tried[i] = m_motion.positions[i] + part * way.nodes[i];
+        const double depth = m_depth + part * way.depth;
+        if (!(potential(depth, tried) <= here + leastPromisedPart * part * way.slope)) continue;
+        m_motion.positions = std::move(tried);
+        m_depth = depth;
+        return true;
+    }
+    return false;
+}
+
+} // namespace esm

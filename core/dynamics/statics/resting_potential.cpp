@@ -1,0 +1,94 @@
+#include "core/dynamics/statics/resting_potential.h"
+
+#include "core/dynamics/forces.h"
+#include "core/dynamics/hinge_entries.h"
+#include "core/dynamics/spring_force.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Vector3d differenceOf(const SpringSystem::Element& spring, const Vectors& vectors) {
+    return vectors[spring.first] - vectors[spring.second];
+}
+
+/// m, from where each node would be without forces.
+Vector3d offCourse(const TimeLapse& lapse, const Vectors& positions, std::size_t node) {
+    return positions[node] - lapse.before.positions[node] - lapse.duration * lapse.before.velocities[node];
+}
+
+/// m, by which a hinge's bars have moved against each other.
+Vector3d turned(const SpringSystem::HingeElement& hinge, const Vectors& before, const Vectors& after) {
+    Vector3d sum = Vector3d::Zero();
+    for (std::size_t i = 0; i < 4; ++i)
+        sum += hinge.weights[i] * (after[hinge.nodes[i]] - before[hinge.nodes[i]]);
+    return sum;
+}
+
+} // namespace
+
+double RestingPotential::value(const Vectors& positions) const {
+    double value = energy(m_system, positions, {}).elastic;
+    if (!m_lapse) return value;
+    const auto& [duration, before] = *m_lapse;
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        value +=
+            0.5 * m_system.mass[i] / (duration * duration) * offCourse(*m_lapse, positions, i).squaredNorm();
+    for (const auto& spring : m_system.springs)
+        value += 0.5 * spring.viscosity / duration *
+                 (differenceOf(spring, positions) - differenceOf(spring, before.positions)).squaredNorm();
+    for (const auto& hinge : m_system.hinges)
+        value += 0.5 * hinge.viscosity / duration * turned(hinge, before.positions, positions).squaredNorm();
+    for (const Tether& tether : m_system.tethers)
+        value += 0.5 * tether.viscosity / duration *
+                 (positions[tether.node] - before.positions[tether.node]).squaredNorm();
+    return value;
+}
+
+void RestingPotential::forces(const Vectors& positions, Vectors& forces) const {
+    elasticForces(m_system, positions, forces);
+    if (m_lapse) {
+        const auto& [duration, before] = *m_lapse;
+        Vectors velocities(positions.size());
+        for (std::size_t i = 0; i < positions.size(); ++i) {
+            velocities[i] = (positions[i] - before.positions[i]) / duration;
+            forces[i] -= m_system.mass[i] / (duration * duration) * offCourse(*m_lapse, positions, i);
+        }
+        addDampingForces(m_system, Damping::Isotropic, positions, velocities, forces);
+    }
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        if (m_system.fixed[i]) forces[i].setZero();
+}
+
+// Pressed springs push their ends aside, which can make the matrix indefinite: where tissue is about to
+// buckle, Newton's method would go uphill. Left out, each spring's part is positive semidefinite.
+void RestingPotential::addStiffness(const Vectors& positions, Curvature curvature,
+                                    BlockEntries& entries) const {
+    const double rate = m_lapse ? 1 / m_lapse->duration : 0;
+    for (const auto& spring : m_system.springs) {
+        const auto [direction, axial, lateral] = tangentOf(spring, differenceOf(spring, positions));
+        const double across =
+            (curvature == Curvature::Positive ? std::max(0.0, lateral) : lateral) + rate * spring.viscosity;
+        const Matrix3d along = direction * direction.transpose();
+        entries.addBetween(spring.first, spring.second,
+                           across * (Matrix3d::Identity() - along) +
+                               (axial + rate * spring.viscosity) * along);
+    }
+    const HingeTangent tangent =
+        curvature == Curvature::Positive ? HingeTangent::WithoutStrain : HingeTangent::WithStrain;
+    for (const auto& hinge : m_system.hinges)
+        addHinge(hinge, positions, tangent, {0, rate, 1}, entries);
+    for (const Tether& tether : m_system.tethers)
+        entries.add(tether.node, tether.node,
+                    (tether.springConstant + rate * tether.viscosity) * Matrix3d::Identity());
+    if (rate == 0) return;
+    for (std::uint32_t i = 0; i < positions.size(); ++i)
+        entries.add(i, i, rate * rate * m_system.mass[i] * Matrix3d::Identity());
+}
+
+} // namespace esm

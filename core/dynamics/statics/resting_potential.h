@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/dynamics/block_entries.h"
+#include "core/dynamics/motion.h"
+#include "core/dynamics/statics/sphere_contacts.h"
+
+#include <limits>
+#include <optional>
+
+namespace esm {
+
+/// A step of time on which tissue goes on, or none: then it is at rest.
+struct TimeLapse {
+    double duration; ///< s
+    Motion before;
+};
+
+/// What tissue lowers by moving: at rest the energy of its springs and tethers. Over a time h it is what
+/// gives the step of the implicit Euler rule,
+///   E(x) + ½·(x − x₀ − h·v₀)ᵀ·M/h²·(x − x₀ − h·v₀) + ½·(x − x₀)ᵀ·D/h·(x − x₀),
+/// with damping that is isotropic. Nodes that are fixed stay where they are.
+class RestingPotential {
+public:
+    explicit RestingPotential(const SpringSystem& system) : m_system(system) {}
+
+    void setLapse(std::optional<TimeLapse> lapse) { m_lapse = std::move(lapse); }
+
+    double value(const Vectors& positions) const;                 ///< J
+    void forces(const Vectors& positions, Vectors& forces) const; ///< N, in place of what was there
+    void addStiffness(const Vectors& positions, Curvature curvature, BlockEntries& entries) const;
+
+private:
+    const SpringSystem& m_system;
+    std::optional<TimeLapse> m_lapse;
+};
+
+} // namespace esm

@@ -1,0 +1,108 @@
+#include "core/probing/indenter_placing.h"
+
+#include "core/geometry/surface_spot.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+#include "core/surface/surface_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// Of the organ's size: so far may a place be off the surface, which a coarser one than the drawn is too.
+constexpr double nearEnough = 0.02;
+constexpr int mostSteps = 400, bisections = 40;
+
+std::string lengthText(double metres) {
+    return roundedText(1000 * metres, 3) + " mm";
+}
+
+std::string spotText(const Vector3d& place) {
+    return roundedText(place.x(), 4) + " " + roundedText(place.y(), 4) + " " + roundedText(place.z(), 4);
+}
+
+/// The spot of the surface that is nearest to the place.
+SurfaceSpot spotAt(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place) {
+    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
+    const std::optional<RayHit> hit = query.nearest(place);
+    if (!hit) throw InvalidModel("the place to press must be three finite numbers");
+    const Triangle& triangle = organ.surface.triangles[hit->triangle];
+    SurfaceSpot spot{Vector3d::Zero(), areaNormal(nodes, triangle).normalized()};
+    for (int i = 0; i < 3; ++i)
+        spot.point += hit->barycentric[i] * nodes[triangle[static_cast<std::size_t>(i)]];
+    if (hit->distance > nearEnough * boundingBox(nodes).diagonal().norm())
+        throw InvalidModel("the place to press is " + lengthText(hit->distance) +
+                           " off the organ's surface; its nearest point is " + spotText(spot.point) + " m");
+    return spot;
+}
+
+// The mean over what the finger will cover, since one triangle says more of the mesh than of the organ. Two
+// meshes of an organ are then pressed in nearly the same direction.
+Vector3d inwardsAt(const ProbedOrgan& organ, const SurfaceSpot& spot, const ProbeSettings& settings) {
+    if (!settings.direction)
+        return -outwardAround({organ.model.network->restPositions, organ.surface.triangles}, spot,
+                              settings.radius);
+    if (!settings.direction->allFinite() || settings.direction->norm() == 0)
+        throw InvalidModel("the direction to press in must be three finite numbers that are not all 0");
+    const Vector3d inwards = settings.direction->stableNormalized();
+    if (inwards.dot(spot.outward) >= 0)
+        throw InvalidModel("the direction to press in points out of the organ there: turn it round");
+    return inwards;
+}
+
+/// From the place inwards to the other side. The ray begins a little inside, so that it does not meet the
+/// triangle that it starts from; an open sheet has no other side.
+double thicknessAt(const SurfaceQuery& query, const Vector3d& place, const Vector3d& inwards, double size) {
+    const double skipped = 1e-6 * size;
+    const std::optional<RayHit> hit = query.firstHit({place + skipped * inwards, inwards});
+    return hit ? hit->distance + skipped : std::numeric_limits<double>::infinity();
+}
+
+// What stands out beside the place may be touched first. So the sphere is drawn back until it is free, and
+// let in again until it just touches: depths count from there, as in Hertz' law, in which a depth that begins
+// a tenth too early takes a seventh off the modulus.
+Vector3d touchingCentre(const SurfaceQuery& query, const Vector3d& place, const Vector3d& inwards,
+                        double radius) {
+    const auto centre = [&](double back) -> Vector3d { return place - (radius + back) * inwards; };
+    const auto touches = [&](double back) { return query.nearest(centre(back))->distance < radius; };
+    const double step = radius / 4;
+    double touching = -step, free = 0;
+    for (int i = 0; i < mostSteps && touches(free); ++i)
+        touching = free, free += step;
+    for (int i = 0; i < bisections; ++i) {
+        const double middle = (touching + free) / 2;
+        (touches(middle) ? touching : free) = middle;
+    }
+    return centre(touching);
+}
+
+/// @throws InvalidModel where the tissue that a sphere touches is fixed
+void requireGivingWay(const ProbedOrgan& organ, const SurfaceQuery& query,
+                      const std::vector<char>& isImmovable, const Vector3d& centre) {
+    const Triangle& touched = organ.surface.triangles[query.nearest(centre)->triangle];
+    if (std::all_of(touched.begin(), touched.end(), [&](std::uint32_t node) { return isImmovable[node]; }))
+        throw InvalidModel("the tissue at the place to press is fixed or held by nothing, and cannot be "
+                           "pressed in: choose another place");
+}
+
+} // namespace
+
+PlacedIndenter placedIndenter(const ProbedOrgan& organ, const std::vector<char>& isImmovable,
+                              const ProbeSettings& settings) {
+    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
+    const SurfaceQuery query(nodes, organ.surface.triangles);
+    const SurfaceSpot spot = spotAt(organ, query, settings.place);
+    const Vector3d inwards = inwardsAt(organ, spot, settings);
+    const double thickness = thicknessAt(query, spot.point, inwards, boundingBox(nodes).diagonal().norm());
+    const Vector3d centre = touchingCentre(query, spot.point, inwards, settings.radius);
+    requireGivingWay(organ, query, isImmovable, centre);
+    return {{settings.radius, centre, inwards}, spot.point, thickness};
+}
+
+} // namespace esm

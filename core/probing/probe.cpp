@@ -1,0 +1,130 @@
+#include "core/probing/probe.h"
+
+#include "core/dynamics/settling.h"
+#include "core/probing/indenter_placing.h"
+#include "core/probing/press_curve.h"
+#include "core/probing/time_curves.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+void requireSensible(const ProbeSettings& settings) {
+    std::vector<std::string> problems;
+    const auto require = [&](bool isSo, const char* problem) {
+        if (!isSo) problems.emplace_back(problem);
+    };
+    require(isPositive(settings.radius), "the finger's radius must be above 0 m");
+    require(isPositive(settings.depth), "the depth to press to must be above 0 m");
+    require(settings.steps >= 1 && settings.steps <= mostProbeSteps,
+            "the depth is reached in 1 to 1000 steps");
+    if (settings.relaxation)
+        require(isPositive(settings.relaxation->rise) && std::isfinite(settings.relaxation->duration) &&
+                    settings.relaxation->duration > settings.relaxation->rise,
+                "relaxation takes longer than the finger takes to the depth, which is 0.05 s where nothing "
+                "else is said");
+    if (settings.creep)
+        require(isPositive(settings.creep->duration) && isPositive(settings.creep->force),
+                "creep takes a time above 0 s and a force above 0 N");
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
+}
+
+// Said before anything is computed, and of the organ rather than of a matrix that has no factor.
+void requirePressable(const ProbedOrgan& organ) {
+    if (organ.surface.body)
+        throw InvalidModel("the organ moves as one stiff piece, which no finger can dent: choose a detail "
+                           "with nodes or fill it");
+    if (organ.surface.empty()) throw InvalidModel("the organ has no surface that a finger could touch");
+    if (organ.model.fixedNodes.size() >= organ.model.mass.size())
+        throw InvalidModel("every node is fixed, so that nothing can be pressed in: fix fewer");
+}
+
+// What nothing holds would be pushed away as a whole, and has no place of rest. It stays where it is, as if
+// it were fixed; where all of it is so, there is nothing to measure.
+SpringSystem heldSystem(const TissueModel& model) {
+    SpringSystem system = makeSpringSystem(model);
+    const std::vector<Settling> settling = settlingOf(system);
+    const auto isLoose = [](const Settling& node) { return !std::isfinite(node.waveTime); };
+    if (std::all_of(settling.begin(), settling.end(), isLoose))
+        throw InvalidModel("nothing holds the organ, so that a finger would push it away: give it tethers or "
+                           "fixed nodes");
+    for (std::size_t i = 0; i < settling.size(); ++i)
+        if (isLoose(settling[i])) system.fixed[i] = 1;
+    return system;
+}
+
+// As deep as the organ, the finger would press one wall through the other, of which neither knows.
+void requireWithin(const PlacedIndenter& placed, const ProbeSettings& settings) {
+    if (settings.depth >= placed.thickness)
+        throw InvalidModel("the organ is " + roundedText(1000 * placed.thickness, 3) +
+                           " mm thick there: press less deep than " + roundedText(1000 * settings.depth, 3) +
+                           " mm");
+}
+
+double slopeOf(const PressPoint& from, const PressPoint& to) {
+    return (to.force - from.force) / (to.depth - from.depth);
+}
+
+// Hertz' contact asks for a solid that is wide and deep beside the finger, and for a flat place. An organ is
+// neither, so that this is the modulus of the solid that would feel alike there, not the tissue's own: a
+// thin layer on a firm ground feels firmer, a bag on soft tethers softer.
+void tellCurve(ProbeResult& result, double radius) {
+    const auto& curve = result.curve;
+    result.stiffnessAtStart = slopeOf(curve[0], curve[1]);
+    result.stiffness = slopeOf(curve[curve.size() - 2], curve.back());
+    result.youngsModulus = hertzModulus(curve.back(), result.poissonsRatio, radius);
+}
+
+} // namespace
+
+double hertzForce(double youngsModulus, double poissonsRatio, double radius, double depth) {
+    return 4.0 / 3 * youngsModulus / (1 - poissonsRatio * poissonsRatio) * std::sqrt(radius) *
+           std::pow(depth, 1.5);
+}
+
+double hertzModulus(const PressPoint& press, double poissonsRatio, double radius) {
+    return press.force / hertzForce(1, poissonsRatio, radius, press.depth);
+}
+
+ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const Progress& progress) {
+    requireSensible(settings);
+    requirePressable(organ);
+    const SpringSystem system = heldSystem(organ.model);
+    const PlacedIndenter placed = placedIndenter(organ, system.fixed, settings);
+    requireWithin(placed, settings);
+
+    double done = 0;
+    const Progress watched = [&](double fraction) {
+        done = fraction;
+        return !progress || progress(fraction);
+    };
+    ProgressParts parts(watched);
+    const double share = 1.0 / (1 + (settings.relaxation ? 2 : 0) + (settings.creep ? 2 : 0));
+    const Progress pressing = parts.next(share);
+    const std::function<PressedTissue()> fresh = [&] {
+        return PressedTissue(system, organ.surface.triangles, placed.indenter,
+                             [&] { reportProgress(progress, done); });
+    };
+    PressedTissue tissue = fresh();
+    ProbeResult result;
+    result.place = placed.place;
+    result.direction = placed.indenter.inwards;
+    result.poissonsRatio = organ.model.network->lattice ? 1.0 / 4 : 1.0 / 3;
+    result.curve = pressCurve(tissue, settings.depth, settings.steps, pressing);
+    result.meetsFixed = tissue.meetsImmovable();
+    tellCurve(result, settings.radius);
+    const TimedTest timed{fresh, placed.thickness};
+    if (settings.relaxation)
+        result.relaxation =
+            relaxationCurve(timed, *settings.relaxation, result.curve.back(), parts.next(2 * share));
+    if (settings.creep) result.creep = creepCurve(timed, *settings.creep, parts.rest());
+    reportProgress(progress, 1);
+    return result;
+}
+
+} // namespace esm

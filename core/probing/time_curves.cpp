@@ -1,0 +1,109 @@
+#include "core/probing/time_curves.h"
+
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr double leastWay = 0.01; ///< of the end's value: less is no way that a time could be told of
+constexpr int stepsOfRise = 20, stepsOfDuration = 100;
+constexpr double growth = 1.2;     ///< of steps, one to the next
+constexpr double firstStep = 1e-4; ///< of the duration
+
+/// One number for a curve that need not be exponential: of one that is, this is its time constant. When 1/e
+/// of the way from the first value to the last is left for the first time, s after the first.
+/// @param values per point
+std::optional<double> timeConstantOf(const std::vector<TimedPress>& points, const std::vector<double>& values,
+                                     double end) {
+    const double way = values.front() - end;
+    if (!(std::abs(way) > leastWay * std::abs(end))) return {};
+    const double wanted = std::exp(-1.0);
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        const double before = (values[i - 1] - end) / way, now = (values[i] - end) / way;
+        if (now > wanted) continue;
+        const double part = (before - wanted) / (before - now);
+        return points[i - 1].time + part * (points[i].time - points[i - 1].time) - points.front().time;
+    }
+    return {};
+}
+
+/// Time from `begin` to `end`, s, in steps that grow: what follows a change is fast at first.
+std::vector<double> growingTimes(double begin, double end) {
+    std::vector<double> times;
+    const double span = end - begin;
+    double step = firstStep * span;
+    for (double time = begin + step; time < end; time += step) {
+        times.push_back(time);
+        step = std::min(growth * step, span / stepsOfDuration);
+    }
+    times.push_back(end);
+    return times;
+}
+
+void requireWithin(const PressedTissue& tissue, const TimedTest& test, double force) {
+    if (tissue.depth() > test.thickness)
+        throw InvalidModel("a force of " + roundedText(force, 3) +
+                           " N presses through the organ there: choose a smaller one");
+}
+
+} // namespace
+
+// Balance after balance, by the implicit Euler rule, with the tissue's own masses and dampers. A simulation
+// moves its instruments along given paths and cannot ask how deep a force goes; here a depth is one unknown
+// more. The rule's error falls with the steps, which are short where forces change.
+TimeCurve relaxationCurve(const TimedTest& test, const RelaxationTest& wanted, const PressPoint& end,
+                          const Progress& progress) {
+    PressedTissue tissue = test.fresh();
+    TimeCurve curve{{{0, 0, 0}}, end, {}};
+    const double rise = wanted.rise;
+    std::vector<double> times;
+    for (int i = 1; i <= stepsOfRise; ++i)
+        times.push_back(rise * i / stepsOfRise);
+    for (const double time : growingTimes(rise, wanted.duration))
+        times.push_back(time);
+    for (const double time : times) {
+        reportProgress(progress,
+                       static_cast<double>(curve.points.size() - 1) / static_cast<double>(times.size()));
+        const double depth = end.depth * std::min(1.0, time / rise);
+        tissue.step(AtDepth{depth}, time - curve.points.back().time);
+        curve.points.push_back({time, depth, tissue.force()});
+    }
+    // What dampers bear while the finger moves ends with its motion, and is no relaxation: the way begins at
+    // the largest force afterwards.
+    const auto largest =
+        std::max_element(curve.points.begin() + stepsOfRise + 1, curve.points.end(),
+                         [](const TimedPress& a, const TimedPress& b) { return a.force < b.force; });
+    const std::vector<TimedPress> held(largest, curve.points.end());
+    std::vector<double> forces;
+    for (const TimedPress& point : held)
+        forces.push_back(point.force);
+    curve.timeConstant = timeConstantOf(held, forces, end.force);
+    return curve;
+}
+
+TimeCurve creepCurve(const TimedTest& test, const CreepTest& wanted, const Progress& progress) {
+    PressedTissue tissue = test.fresh();
+    TimeCurve curve{{{0, 0, wanted.force}}, {0, wanted.force}, {}};
+    std::vector<double> depths{0};
+    const std::vector<double> times = growingTimes(0, wanted.duration);
+    for (const double time : times) {
+        reportProgress(progress,
+                       static_cast<double>(depths.size() - 1) / static_cast<double>(times.size() + 5));
+        tissue.step(UnderForce{wanted.force}, time - curve.points.back().time);
+        requireWithin(tissue, test, wanted.force);
+        curve.points.push_back({time, tissue.depth(), tissue.force()});
+        depths.push_back(tissue.depth());
+    }
+    tissue.settle(UnderForce{wanted.force});
+    requireWithin(tissue, test, wanted.force);
+    curve.end = {tissue.depth(), tissue.force()};
+    curve.timeConstant = timeConstantOf(curve.points, depths, curve.end.depth);
+    return curve;
+}
+
+} // namespace esm

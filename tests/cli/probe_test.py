@@ -1,0 +1,54 @@
+import csv
+import unittest
+
+from detail_test import surface
+from esmc import Case, command
+
+
+class ProbeTest(Case):
+    def organ(self, name="organ.esm", *options):
+        """A closed organ on tethers."""
+        project = self.file(name)
+        self.done("import", self.file("organ.obj", surface()), "-o", project, *options)
+        self.top = max((tuple(map(float, line.split()[1:4])) for line in surface().splitlines() if line.startswith("v ")),
+                       key=lambda place: place[2])
+        return project
+
+    def at(self):
+        return " ".join(map(str, self.top))
+
+    def test_a_finger_tells_how_firm_an_organ_is(self):
+        organ = self.organ("organ.esm", "--fill", "body-centred", "--spacing", 0.012)
+        chart, table = self.file("press.svg"), self.file("press.csv")
+        report = self.done("probe", organ, "--at", self.at(), "--depth", 0.002, "--steps", 4, "--plot", chart, "--csv", table)
+        self.assertEqual([point["depth"] for point in report["curve"]], [0, 0.0005, 0.001, 0.0015, 0.002])
+        forces = [point["force"] for point in report["curve"]]
+        self.assertEqual(forces, sorted(forces))
+        self.assertEqual(report["force"], forces[-1])
+        self.assertGreater(report["youngs_modulus"], 100)
+        self.assertEqual(report["poissons_ratio"], 0.25)
+        self.assertIn("depth, mm", chart.read_text())
+        with table.open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["force_n"]) for row in rows], forces)
+        again = self.done("-j", 1, "probe", organ, "--at", self.at(), "--depth", 0.002, "--steps", 4)
+        self.assertEqual(again["curve"], report["curve"])
+
+    def test_two_organs_are_compared(self):
+        organ = self.organ("organ.esm", "--fill", "body-centred", "--spacing", 0.012)
+        firm = self.file("firm.esm")
+        self.done("tissue", organ, "-o", firm, "--override", "spring_constant=200")
+        report = self.done("probe", organ, "--at", self.at(), "--depth", 0.001, "--steps", 1, "--with", firm)
+        self.assertGreater(report["with"]["force"], report["force"])
+
+    def test_what_cannot_be_pressed_is_said(self):
+        organ = self.organ()
+        for options, what in [(["--at", "9 9 9"], "off the organ's surface"), (["--at", self.at(), "--depth", 5], "thick"),
+                              (["--node", 10**6], "there is no node"), (["--node", -1], "there is no node")]:
+            self.fails(1, "probe", organ, *options, naming=what)
+        self.assertEqual(command("probe", str(organ)).returncode, 2)
+        self.fails(1, "probe", self.sample("uterus"), "--at", "0 0 0", naming="no surface")
+
+
+if __name__ == "__main__":
+    unittest.main()

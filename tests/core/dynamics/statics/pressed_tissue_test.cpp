@@ -1,0 +1,107 @@
+#include "core/dynamics/statics/pressed_tissue.h"
+
+#include "core/dynamics/simulation.h"
+#include "tests/support/tethered_triangle.h"
+
+#include <gtest/gtest.h>
+
+namespace esm {
+namespace {
+
+using Eigen::Vector3d;
+
+Indenter fingerAbove(const Vector3d& place, double radius) {
+    return {radius, place + radius * Vector3d::UnitZ(), -Vector3d::UnitZ()};
+}
+
+/// Of a force, as it is promised.
+constexpr double accuracy = 1e-3;
+
+TEST(PressedTissue, TakesTheForceOfItsTethers) {
+    const TissueModel model = test::tetheredTriangle();
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue tissue(system, test::largeTriangle().triangles, fingerAbove(Vector3d::Zero(), 0.01));
+    for (const double depth : {0.001, 0.004, 0.002}) {
+        tissue.settle(AtDepth{depth});
+        EXPECT_NEAR(tissue.force(), 3 * test::tetherConstant * depth, accuracy * tissue.force());
+    }
+    tissue.settle(UnderForce{0.3});
+    EXPECT_NEAR(tissue.force(), 0.3, accuracy * 0.3);
+    EXPECT_NEAR(tissue.depth(), 0.3 / (3 * test::tetherConstant), 1e-6);
+}
+
+TEST(PressedTissue, LeavesAFingerThatOnlyTouchesAlone) {
+    const TissueModel model = test::tetheredTriangle();
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue tissue(system, test::largeTriangle().triangles, fingerAbove(Vector3d::Zero(), 0.01));
+    tissue.settle(AtDepth{0});
+    EXPECT_NEAR(tissue.force(), 0, 1e-9);
+    EXPECT_EQ(tissue.positions(), model.network->restPositions);
+}
+
+/// A ball whose lower nodes are fixed.
+TissueModel seatedBall(const TriangleMesh& mesh) {
+    TissueModel model = tissue::fromMesh(mesh, {20, 1, 1e-3});
+    for (std::uint32_t node = 0; node < mesh.vertices.size(); ++node) {
+        model.tethers.push_back({node, 4, 0.2});
+        if (mesh.vertices[node].z() < -0.03) model.fixedNodes.push_back(node);
+    }
+    return model;
+}
+
+// Impulses in a run of the program's own simulation that has come to rest: another way to the same place.
+TEST(PressedTissue, HasTheForceThatASimulationComesTo) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = seatedBall(mesh);
+    const SpringSystem system = makeSpringSystem(model);
+    constexpr double depth = 0.004, radius = 0.02;
+    const Indenter finger = fingerAbove({0, 0, 0.05}, radius);
+    PressedTissue tissue(system, mesh.triangles, finger);
+    tissue.settle(AtDepth{depth});
+
+    Simulation simulation(model, {}, TouchedSurface(mesh.triangles));
+    Loads loads;
+    loads.instruments = {sphereAt(finger.start, radius)};
+    simulation.placeInstruments({loads.instruments[0].pose});
+    Vector3d before = Vector3d::Zero();
+    double begin = 0;
+    for (const double end : {1.0, 6.0, 7.0}) {
+        before = simulation.instrumentTouches().empty() ? before : simulation.instrumentTouches()[0].impulse;
+        begin = simulation.time();
+        while (simulation.time() < end) {
+            const double part = std::min(1.0, simulation.time() + simulation.timeStep());
+            loads.instruments = {sphereAt(finger.start + part * depth * finger.inwards, radius)};
+            ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+        }
+    }
+    const double force =
+        (simulation.instrumentTouches()[0].impulse - before).z() / (simulation.time() - begin);
+    EXPECT_NEAR(tissue.force(), force, 0.01 * force);
+}
+
+TEST(PressedTissue, FeelsTheSameInOneStepAndInMany) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = seatedBall(mesh);
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue once(system, mesh.triangles, fingerAbove({0, 0, 0.05}, 0.02)), often = once;
+    once.settle(AtDepth{0.004});
+    for (int i = 1; i <= 8; ++i)
+        often.settle(AtDepth{0.0005 * i});
+    EXPECT_NEAR(once.force(), often.force(), 0.002 * once.force());
+}
+
+// Against dampers alone: a step after step creep to the depth at rest with the time d/c.
+TEST(PressedTissue, CreepsAsItsTethersLetIt) {
+    const TissueModel model = test::tetheredTriangle();
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue tissue(system, test::largeTriangle().triangles, fingerAbove(Vector3d::Zero(), 0.01));
+    const double time = test::tetherViscosity / test::tetherConstant;
+    constexpr int steps = 200;
+    for (int i = 0; i < steps; ++i)
+        tissue.step(UnderForce{0.3}, time / steps);
+    const double end = 0.3 / (3 * test::tetherConstant);
+    EXPECT_NEAR(tissue.depth(), end * (1 - std::exp(-1.0)), 0.01 * end);
+}
+
+} // namespace
+} // namespace esm
