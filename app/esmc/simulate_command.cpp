@@ -4,6 +4,7 @@
 #include "app/esmc/model_report.h"
 #include "app/esmc/run_files.h"
 #include "app/esmc/runnable_model.h"
+#include "app/esmc/volume_report.h"
 #include "core/dynamics/measure/scene_accuracy.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/dynamics/stability/swings.h"
@@ -114,38 +115,6 @@ void addInstruments(Report& report, const Scene& scene, const SceneOutcome& outc
         if (touched)
             report.text.push_back(nameOf(scene, i) + ": " + inText(force.mean) + " N on the mean, " +
                                   inText(force.peak) + " N at most");
-    }
-}
-
-/// How a pressure is told to people who know one unit or the other.
-std::string pressureInText(double pascal) {
-    constexpr double pascalPerMillimetreOfMercury = 133.322387415;
-    return inText(pascal) + " Pa (" + roundedText(pascal / pascalPerMillimetreOfMercury, 4) + " mmHg)";
-}
-
-/// What each filled part enclosed at the record times, and what pressed from within.
-void addVolumes(Report& report, const TissueModel& tissue, const std::vector<FluidRow>& rows) {
-    if (tissue.cavities.empty()) return;
-    report.json["volumes"] = Json::array();
-    for (std::size_t i = 0; i < tissue.cavities.size(); ++i) {
-        const Cavity& cavity = tissue.cavities[i];
-        const double atRest = enclosedVolume({tissue.network->restPositions, cavity.triangles});
-        Json times = Json::array(), volumes = Json::array(), pressures = Json::array();
-        for (const FluidRow& row : rows) {
-            times.push_back(row.time);
-            volumes.push_back(inJson(row.volumes[i]));
-            pressures.push_back(inJson(row.pressures[i]));
-        }
-        report.json["volumes"].push_back({{"part", cavity.part},
-                                          {"at_rest", atRest},
-                                          {"times", times},
-                                          {"volumes", volumes},
-                                          {"pressures", pressures}});
-        if (rows.empty()) continue;
-        report.text.push_back("part " + std::to_string(cavity.part) +
-                              " at the end: " + inText(1e6 * rows.back().volumes[i]) + " ml, " +
-                              percentText(rows.back().volumes[i] / atRest) +
-                              " of its volume at rest, under " + pressureInText(rows.back().pressures[i]));
     }
 }
 
