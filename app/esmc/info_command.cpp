@@ -141,6 +141,7 @@ Report describePackage(const std::filesystem::path& file, Context& context) {
     Report report = modelReport(package);
     report.json["kind"] = "package";
     addRegions(report, package.regions, package.base.wallThickness);
+    report.json["wall_thickness"] = package.base.wallThickness;
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
     addPreview(report, package.preview);

@@ -82,6 +82,7 @@ void declareTissue(CLI::App& command, TissueOptions& options) {
     command.add_flag("--linear", options.linear, "All springs of the organ are linear again")
         ->excludes(biphasic);
     declareBending(command, options.bending);
+    command.get_option("--bending")->excludes("--wall-thickness");
 }
 
 bool isInClinicalUnits(const std::string& override) {
@@ -105,18 +106,25 @@ void hold(TissueValues& held, const std::string& name, double value) {
                          "' is not one of spring_constant, youngs_modulus, viscosity, relaxation_time, mass");
 }
 
+void requireOneOf(const NamedValues& pairs, const std::string& one, const std::string& other) {
+    if (valueOf(pairs, one) && valueOf(pairs, other))
+        throw UsageError("--override: " + one + " and " + other + " say the same; give one of them");
+}
+
 /// What only the organ's wall and the region's tissue make values of. @throws UsageError
 void holdInClinicalUnits(Region& region, const std::vector<std::string>& overrides, double wallThickness) {
     const NamedValues pairs = parsePairs(overrides, "--override");
+    requireOneOf(pairs, "youngs_modulus", "spring_constant");
+    requireOneOf(pairs, "relaxation_time", "viscosity");
     if (const auto modulus = valueOf(pairs, "youngs_modulus"))
-        region.held.springConstant = springConstantOfWall(*modulus, wallThickness);
+        hold(region.held, "spring_constant", springConstantOfWall(*modulus, wallThickness));
     const auto time = valueOf(pairs, "relaxation_time");
     if (!time) return;
     const auto springConstant = evaluate(region, wallThickness).values.springConstant;
     if (!springConstant)
         throw UsageError("--override relaxation_time: the region keeps the spring constant beneath; give "
                          "youngs_modulus or spring_constant as well");
-    region.held.viscosity = *time * *springConstant;
+    hold(region.held, "viscosity", *time * *springConstant);
 }
 
 using ChosenPreset = std::optional<TissuePreset>;
@@ -170,7 +178,9 @@ void addValue(Report& report, const char* key, Parameter parameter, const Region
     const std::optional<double> value = valueOf(result.tissue.values, parameter);
     report.json[key] = inJson(value);
     const std::string kept = beneath ? "as it was, " + inWords(*beneath, parameter) : "as it was";
-    report.text.push_back(labels[static_cast<std::size_t>(parameter)] + (value ? inText(*value) : kept));
+    const bool isByTime = parameter == Parameter::Viscosity && result.tissue.relaxationTime;
+    const std::string text = value ? inText(*value) : isByTime ? "by the relaxation time" : kept;
+    report.text.push_back(labels[static_cast<std::size_t>(parameter)] + text);
 }
 
 void addClinicalUnits(Report& report, const RegionTissue& tissue, double wallThickness) {
@@ -180,7 +190,9 @@ void addClinicalUnits(Report& report, const RegionTissue& tissue, double wallThi
     if (modulus)
         report.text.push_back("Young's modulus of a wall of " + inText(1000 * wallThickness) +
                               " mm, kPa: " + inText(*modulus / 1000));
-    if (time) report.text.push_back("relaxation time, s: " + inText(*time));
+    if (time)
+        report.text.push_back("relaxation time, s: " + inText(*time) +
+                              (tissue.relaxationTime ? ", times the spring constant beneath" : ""));
 }
 
 /// @param region its name; empty: the whole organ, to which none was added

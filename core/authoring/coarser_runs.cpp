@@ -3,6 +3,7 @@
 #include "core/dynamics/spring_system.h"
 #include "core/model/tissue_digest.h"
 #include "core/project/detail_change.h"
+#include "core/support/errors.h"
 
 #include <numeric>
 
@@ -57,6 +58,15 @@ CoarserRun runOf(const Project& fewer, const Detail& detail, const std::vector<s
     return run;
 }
 
+/// Nothing where so few nodes leave no room for the organ's fluids.
+std::optional<Project> coarser(const Project& full, const Detail& detail, const Progress& progress) {
+    try {
+        return withDetail(full, detail, progress);
+    } catch (const InvalidModel&) {
+        return std::nullopt;
+    }
+}
+
 } // namespace
 
 // Each level has a quarter of the nodes of the last, so that edges are about twice as long: levels nearer to
@@ -74,11 +84,11 @@ std::vector<CoarserRun> coarserRuns(const Project& project, const Scene& scene, 
     std::size_t last = full.network->restPositions.size();
     for (std::size_t nodes = last / 4; nodes >= fewestWorthMeasuring; nodes /= 4) {
         const Detail detail{Detail::Kind::Nodes, nodes, {}, full.network->sheet.has_value()};
-        const Project fewer = withDetail(full, detail, parts.nextOfRest(0.75));
+        const auto fewer = coarser(full, detail, parts.nextOfRest(0.75));
         // A surface of many parts may have no fewer.
-        if (fewer.network->restPositions.size() >= last) break;
-        last = fewer.network->restPositions.size();
-        runs.push_back(runOf(fewer, detail, *vertices));
+        if (!fewer || fewer->network->restPositions.size() >= last) break;
+        last = fewer->network->restPositions.size();
+        runs.push_back(runOf(*fewer, detail, *vertices));
     }
     return runs;
 }

@@ -17,6 +17,7 @@ Project withEvenSheet(const Project& project, bool isEven, const Progress& progr
     Project changed = project;
     changed.network = std::move(network);
     changed.stepping.reset();
+    changed.accuracy = nullptr;
     reportProgress(progress, 1);
     return changed;
 }

@@ -41,8 +41,8 @@ public:
             add(name, inputText(before, name), inputText(after, name));
         static constexpr std::array<const char*, 3> names{"spring constant", "viscosity", "region mass"};
         static constexpr std::array<const char*, 3> units{"N/m", "N·s/m", "kg"};
-        const TissueValues then = evaluate(before, m_wallThickness).values,
-                           now = evaluate(after, m_wallThickness).values;
+        const RegionTissue then = evaluate(before, m_wallThickness), now = evaluate(after, m_wallThickness);
+        add("relaxation time", timeText(then), timeText(now));
         for (const Parameter parameter : everyParameter) {
             const auto place = static_cast<std::size_t>(parameter);
             // Which mass lies beneath may change as well, and is told by itself.
@@ -52,13 +52,17 @@ public:
                 const auto value = valueOf(values, parameter);
                 return value ? amountText(*value, units[place]) : kept;
             };
-            add(names[place], text(then), text(now));
+            add(names[place], text(then.values), text(now.values));
         }
     }
 
     std::vector<PresetChange> take() { return std::move(m_changes); }
 
 private:
+    static std::string timeText(const RegionTissue& tissue) {
+        const auto time = relaxationTimeOf(tissue);
+        return time ? amountText(*time, "s") : "as beneath";
+    }
     static std::string systemText(const Region& region) {
         return region.system ? region.system->name : "none";
     }

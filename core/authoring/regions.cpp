@@ -63,8 +63,10 @@ Eigen::Vector3d fittingRadii(const Project& project, const Eigen::Vector3d& cent
 
 /// What a region sets, and of what it leaves the organ's base.
 TissueValues tissueSet(const Project& project, const Region& region) {
-    TissueValues tissue = evaluate(region, project.base.wallThickness).values;
+    const RegionTissue set = evaluate(region, project.base.wallThickness);
+    TissueValues tissue = set.values;
     if (!tissue.springConstant) tissue.springConstant = project.base.springConstant;
+    if (set.relaxationTime) tissue.viscosity = *set.relaxationTime * *tissue.springConstant;
     if (!tissue.viscosity) tissue.viscosity = project.base.viscosity;
     return tissue;
 }

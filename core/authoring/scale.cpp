@@ -113,7 +113,8 @@ Project scaled(const Project& project, double factor, KeptByScaling kept) {
         scale(region.ellipsoid, factor);
         region.rim *= factor;
     }
-    // No file holds a thicker one.
+    // The thickness of the wall stays: what somebody knows of it in mm, whatever the mesh's unit was taken
+    // for.
     scale(result.scene, factor);
     for (TextureLayer& layer : result.layers)
         scale(layer, factor);

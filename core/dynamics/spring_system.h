@@ -69,8 +69,9 @@ inline double pressureSlope(const SpringSystem::Filled& cavity) {
     return cavity.stiffness / cavity.restVolume;
 }
 
-/// s, smallest d/c of all springs and tethers that can move: d ≥ ratio·k then holds for every motion, since
-/// each spring and tether gives its share of both. Infinite when nothing is elastic.
+/// s, smallest d/c of all springs, tethers and hinges that can move: d ≥ ratio·k then holds for every motion,
+/// since each gives its share of both; of a hinge that is bent at rest nearly. Infinite when nothing is
+/// elastic.
 double leastDampingRatio(const SpringSystem& system);
 
 /// @throws InvalidModel with every problem of the model

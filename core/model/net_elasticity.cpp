@@ -216,7 +216,7 @@ constexpr VirtualPull formPull{4, 0.25, 16, 1, 1.5, 3};
 constexpr VirtualPull levelPull{10, 0.08, 40, 1, 0, 0};
 
 /// Of the mean area that nodes have which have any.
-constexpr double smallestArea = 0.3;
+constexpr double smallestArea = 0.3, largestArea = 300;
 
 double sumOf(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
@@ -228,7 +228,7 @@ std::vector<double> overMean(std::vector<double> areas) {
     const auto count = static_cast<double>(areas.size());
     const double mean = sumOf(areas) / (count - without);
     for (double& area : areas)
-        area = area > 0 ? std::max(area / mean, smallestArea) : 1;
+        area = area > 0 ? std::clamp(area / mean, smallestArea, largestArea) : 1;
     const double scale = count / sumOf(areas);
     for (double& area : areas)
         area *= scale;

@@ -32,7 +32,8 @@ std::vector<double> nodeAreas(const std::vector<Eigen::Vector3d>& nodes,
 
 /// What makes a surface of springs an even sheet: `netFactors()`, and `nodeAreas()` over their mean. No node
 /// stands for less than 0.3 of the mean: the debris of meshes has nodes of 10⁻⁴, and what weighs that little
-/// makes the steps of a simulation a hundred times shorter. A node of no triangle stands for the mean.
+/// makes the steps of a simulation a hundred times shorter; and none for more than 300 of it, as the far
+/// corners of a cap do. A node of no triangle stands for the mean.
 /// Preconditions and errors: those of `netFactors()`
 SheetShares sheetShares(const std::vector<Eigen::Vector3d>& nodes, const std::vector<Spring>& springs,
                         const std::vector<Triangle>& triangles, const Progress& progress = {});

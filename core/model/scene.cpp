@@ -143,10 +143,13 @@ void checkFluids(SceneCheck& check, const Scene& scene) {
         check.require(parts.insert(part).second, place,
                       "part " + std::to_string(part) + " stands in an earlier entry too; join the two");
     };
-    check.require(std::max(scene.fillings.size(), scene.pressures.size()) <= mostFluids,
-                  "fillings, pressures",
+    std::set<std::uint32_t> filled, pressed, all;
+    for (const auto& filling : scene.fillings)
+        all.insert(filling.part);
+    for (const auto& pressure : scene.pressures)
+        all.insert(pressure.part);
+    check.require(all.size() <= mostFluids, "fillings, pressures",
                   "no more than " + std::to_string(mostFluids) + " parts can be filled");
-    std::set<std::uint32_t> filled, pressed;
     for (std::size_t i = 0; i < scene.fillings.size(); ++i) {
         check.add(sceneEntry("fillings", i), fieldProblems(scene.fillings[i]));
         requireOnce(filled, scene.fillings[i].part, sceneEntry("fillings", i));

@@ -74,9 +74,10 @@ std::string tissueDigest(const TissueModel& model) {
         digest.add(viscosity);
     }
     for (const Cavity& cavity : model.cavities) {
-        if (cavity.stiffness == 0) continue;
+        if (cavity.stiffness == 0 && cavity.largestPressure == 0) continue;
         digest.add(cavity.part);
         digest.add(cavity.stiffness);
+        digest.add(cavity.largestPressure);
     }
     return digest.digits();
 }

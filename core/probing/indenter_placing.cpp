@@ -70,11 +70,18 @@ double thicknessAt(const SurfaceQuery& query, const Vector3d& place, const Vecto
 Vector3d touchingCentre(const SurfaceQuery& query, const Vector3d& place, const Vector3d& inwards,
                         double radius) {
     const auto centre = [&](double back) -> Vector3d { return place - (radius + back) * inwards; };
-    const auto touches = [&](double back) { return query.nearest(centre(back))->distance < radius; };
+    const auto touches = [&](double back) {
+        const auto nearest = query.nearest(centre(back));
+        return nearest && nearest->distance < radius;
+    };
     const double step = radius / 4;
     double touching = -step, free = 0;
     for (int i = 0; i < mostSteps && touches(free); ++i)
         touching = free, free += step;
+    // Within a cavity narrower than the finger no step back makes it free.
+    if (touches(free))
+        throw InvalidModel(
+            "the finger has no room before the organ there: choose another place, or a smaller radius");
     for (int i = 0; i < bisections; ++i) {
         const double middle = (touching + free) / 2;
         (touches(middle) ? touching : free) = middle;

@@ -17,8 +17,9 @@ std::vector<PressPoint> pressCurve(PressedTissue& tissue, double depth, int step
     std::vector<PressPoint> curve{{0, 0}};
     const double stride = depth / steps;
     const int parts = std::max(1, static_cast<int>(std::ceil(stride / (longestStride * tissue.radius()))));
-    for (int i = 1; i <= steps * parts; ++i) {
-        reportProgress(progress, static_cast<double>(i - 1) / (steps * parts));
+    const int all = steps * parts;
+    for (int i = 1; i <= all; ++i) {
+        reportProgress(progress, static_cast<double>(i - 1) / all);
         tissue.settle(AtDepth{stride * i / parts});
         if (i % parts == 0) curve.push_back({tissue.depth(), tissue.force()});
     }

@@ -25,7 +25,7 @@ void requireSensible(const ProbeSettings& settings) {
             "the depth is reached in 1 to 1000 steps");
     if (settings.relaxation)
         require(isPositive(settings.relaxation->rise) && std::isfinite(settings.relaxation->duration) &&
-                    settings.relaxation->duration > settings.relaxation->rise,
+                    settings.relaxation->duration >= 1.01 * settings.relaxation->rise,
                 "relaxation takes longer than the finger takes to the depth, which is 0.05 s where nothing "
                 "else is said");
     if (settings.creep)
@@ -40,8 +40,27 @@ void requirePressable(const ProbedOrgan& organ) {
         throw InvalidModel("the organ moves as one stiff piece, which no finger can dent: choose a detail "
                            "with nodes or fill it");
     if (organ.surface.empty()) throw InvalidModel("the organ has no surface that a finger could touch");
+    // A fluid ties all nodes of its wall to each other, which the matrix of the balance does not have.
+    if (!organ.model.cavities.empty())
+        throw InvalidModel(
+            "fluid fills or presses parts of the organ, against which no finger can be computed "
+            "yet: leave fillings and pressures out of the scene");
     if (organ.model.fixedNodes.size() >= organ.model.mass.size())
         throw InvalidModel("every node is fixed, so that nothing can be pressed in: fix fewer");
+}
+
+/// Beyond these sizes a finger is none, and counting steps by them would never end.
+void requireFitting(const ProbedOrgan& organ, const ProbeSettings& settings) {
+    const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
+    const double least = size / 10000, most = 10 * size;
+    if (settings.radius < least || settings.radius > most)
+        throw InvalidModel("the finger's radius must be from " + roundedText(1000 * least, 3) + " to " +
+                           roundedText(1000 * most, 3) + " mm, as the organ is " +
+                           roundedText(1000 * size, 3) + " mm large");
+    if (settings.depth > size)
+        throw InvalidModel("the organ is " + roundedText(1000 * size, 3) +
+                           " mm large: press less deep than " + roundedText(1000 * settings.depth, 3) +
+                           " mm");
 }
 
 // What nothing holds would be pushed away as a whole, and has no place of rest. It stays where it is, as if
@@ -94,6 +113,7 @@ double hertzModulus(const PressPoint& press, double poissonsRatio, double radius
 ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const Progress& progress) {
     requireSensible(settings);
     requirePressable(organ);
+    requireFitting(organ, settings);
     const SpringSystem system = heldSystem(organ.model);
     const PlacedIndenter placed = placedIndenter(organ, system.fixed, settings);
     requireWithin(placed, settings);

@@ -1,5 +1,6 @@
 #include "core/project/detail_change.h"
 
+#include "core/geometry/adjacency.h"
 #include "core/model/scene_cavities.h"
 #include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -129,6 +131,47 @@ Scene overOtherNodes(Scene scene, const SpringNetwork& former, const SpringNetwo
     return scene;
 }
 
+/// The connected parts of a simulated surface, and where they lie.
+struct PartsOfSurface {
+    const Points& places;
+    std::vector<Triangle> triangles;
+    Parts parts;
+};
+
+PartsOfSurface partsOf(const Project& project) {
+    const Points& places = project.network->restPositions;
+    std::vector<Triangle> triangles = simulatedSurface(*project.mesh, *project.network);
+    Parts parts = connectedParts(triangles, places.size());
+    return {places, std::move(triangles), std::move(parts)};
+}
+
+/// The part of the other surface that most corners of a part lie nearest to. Numbers follow the order of
+/// triangles, which a coarser surface may change.
+std::uint32_t partThere(const PartsOfSurface& here, std::uint32_t part, const PartsOfSurface& there) {
+    std::map<std::uint32_t, std::uint32_t> partOfNode, counts;
+    for (std::size_t i = 0; i < there.triangles.size(); ++i)
+        for (const std::uint32_t node : there.triangles[i])
+            partOfNode[node] = there.parts.ofTriangle[i];
+    const PointSearch search(there.places);
+    for (std::size_t i = 0; i < here.triangles.size(); ++i) {
+        if (here.parts.ofTriangle[i] != part) continue;
+        const auto found = partOfNode.find(search.nearest(here.places[here.triangles[i][0]]));
+        if (found != partOfNode.end()) ++counts[found->second];
+    }
+    const auto most = std::max_element(counts.begin(), counts.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    return most == counts.end() ? part : most->first;
+}
+
+void keepFluids(Scene& scene, const Project& before, const Project& after) {
+    if (scene.fillings.empty() && scene.pressures.empty()) return;
+    const PartsOfSurface here = partsOf(before), there = partsOf(after);
+    for (auto& filling : scene.fillings)
+        filling.part = partThere(here, filling.part, there);
+    for (auto& pressure : scene.pressures)
+        pressure.part = partThere(here, pressure.part, there);
+}
+
 bool movesRigidly(const SpringNetwork& network) {
     return detailOf(network).kind == Detail::Kind::Rigid;
 }
@@ -169,6 +212,7 @@ Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork>
     const bool wasRigid = movesRigidly(*project.network), isRigid = movesRigidly(*changed.network);
     if (!wasRigid && !isRigid) {
         changed.scene = overOtherNodes(project.scene, *project.network, *changed.network, progress);
+        keepFluids(changed.scene, project, changed);
     } else if (wasRigid != isRigid) {
         takeDefaults(changed, projectOn(changed.network, project.name, {*project.mesh, *project.importReport},
                                         project.base.mass));

@@ -106,9 +106,10 @@ void lay(TissueModel& model, const Region& region, const std::vector<double>& si
         if (weight == 0) continue;
         if (values.springConstant)
             model.springConstant[node] = mixed(model.springConstant[node], *values.springConstant, weight);
-        const auto viscosity = tissue.relaxationTime
-                                   ? std::optional(*tissue.relaxationTime * model.springConstant[node])
-                                   : values.viscosity;
+        const auto viscosity =
+            tissue.relaxationTime
+                ? std::optional(std::min(largestNumber, *tissue.relaxationTime * model.springConstant[node]))
+                : values.viscosity;
         if (viscosity) model.viscosity[node] = mixed(model.viscosity[node], *viscosity, weight);
         if (values.mass) model.mass[node] = mixed(model.mass[node], *values.mass * sizes[node] / sum, weight);
     }
@@ -132,6 +133,10 @@ void tie(TissueModel& model, const std::vector<TetherRule>& rules) {
 }
 
 } // namespace
+
+std::optional<double> relaxationTimeOf(const BaseTissue& base) {
+    return base.springConstant > 0 ? std::optional(base.viscosity / base.springConstant) : std::nullopt;
+}
 
 void numberParts(Project& project) {
     numberByPlace(project.regions);

@@ -43,6 +43,9 @@ inline constexpr auto fieldsOf<BaseTissue> = fieldTable(
         .whenSet(),
     field("resistsBending", &BaseTissue::resistsBending).whenSet());
 
+/// s, viscosity over spring constant; none where the constant is 0.
+std::optional<double> relaxationTimeOf(const BaseTissue& base);
+
 /// How the organ got its texture space. The packed atlas is derived from the mesh and these.
 struct TextureSettings {
     AtlasOptions atlas;

@@ -47,6 +47,7 @@ void EditController::connectActions(const Actions& actions) {
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
     connect(actions.chooseDetail, &QAction::triggered, this, &EditController::chooseDetail);
     connect(actions.chooseInside, &QAction::triggered, this, &EditController::chooseInside);
+    m_evenSheet = actions.evenSheet;
     connect(actions.evenSheet, &QAction::triggered, this, &EditController::makeEvenSheet);
     connect(actions.fromCamera, &QAction::triggered, this, &EditController::projectFromCamera);
     const auto update = [this, actions] { enable(actions); };
@@ -86,7 +87,7 @@ void EditController::enable(const Actions& actions) {
     const bool splits = !project.scene.splits.empty();
     allow(actions.playScene, hasLoads(project.scene) && !splits,
           splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
-                 : tr("The scene has no force, led node or instrument: esmc scene stores one"));
+                 : tr("The scene has no force, led node, pressure or instrument: esmc scene stores one"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     allow(actions.addPhoto, !project.mesh->triangles.empty(), noSurface);
     allow(actions.addPaint, !project.mesh->triangles.empty(), noSurface);
@@ -185,6 +186,8 @@ void EditController::makeEvenSheet(bool isEven) {
     simulate([isEven](const Project& project,
                       const Progress& progress) { return withEvenSheet(project, isEven, progress); },
              tr("Sharing the tissue out"), isEven ? tr("Even sheet") : tr("No even sheet"));
+    // The click has ticked it; the work may have been cancelled.
+    m_evenSheet->setChecked(m_document.project().network->sheet.has_value());
 }
 
 void EditController::simulateNodes(std::size_t nodes) {

@@ -49,6 +49,7 @@ private:
     Document& m_document;
     Selection& m_selection;
     OrganView& m_view;
+    QAction* m_evenSheet = nullptr;
 };
 
 } // namespace esm

@@ -7,7 +7,7 @@ namespace esm {
 
 // At rest no spring has tension, so that none resists being turned: K of a spring is c·n·nᵀ alone. Stretched
 // tissue resists more, and bears shorter steps only. What has to hold at any deformation therefore takes the
-// Laplacian in its place, which is above K wherever the tissue goes.
+// Laplacian in its place, which is above K wherever the tissue goes; of hinges that are bent at rest nearly.
 Eigen::SparseMatrix<double> restMatrix(const SpringSystem& system, Damping damping,
                                        const MatrixFactors& factors) {
     BlockEntries entries(system.fixed);

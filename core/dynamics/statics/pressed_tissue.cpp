@@ -29,6 +29,10 @@ std::vector<double> nodeStiffness(const SpringSystem& system, double rate) {
     for (const auto& spring : system.springs)
         for (const std::uint32_t node : {spring.first, spring.second})
             sums[node] += largestSpringConstant(spring) + rate * spring.viscosity;
+    for (const auto& hinge : system.hinges)
+        for (std::size_t i = 0; i < 4; ++i)
+            sums[hinge.nodes[i]] +=
+                hinge.weights[i] * hinge.weights[i] * (largestSpringConstant(hinge) + rate * hinge.viscosity);
     for (const Tether& tether : system.tethers)
         sums[tether.node] += tether.springConstant + rate * tether.viscosity;
     return sums;

@@ -15,8 +15,8 @@ struct TimeLapse {
     Motion before;
 };
 
-/// What tissue lowers by moving: at rest the energy of its springs and tethers. Over a time h it is what
-/// gives the step of the implicit Euler rule,
+/// What tissue lowers by moving: at rest the energy of its springs, hinges and tethers. Over a time h it is
+/// what gives the step of the implicit Euler rule,
 ///   E(x) + ½·(x − x₀ − h·v₀)ᵀ·M/h²·(x − x₀ − h·v₀) + ½·(x − x₀)ᵀ·D/h·(x − x₀),
 /// with damping that is isotropic. Nodes that are fixed stay where they are.
 class RestingPotential {

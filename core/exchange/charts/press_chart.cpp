@@ -89,11 +89,24 @@ Drawing pressChart(const std::vector<NamedPress>& presses) {
     return drawing;
 }
 
+namespace {
+
+/// As tables have names that may hold commas, quotes or line breaks.
+std::string quoted(const std::string& name) {
+    if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+    std::string text = "\"";
+    for (const char c : name)
+        text += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return text + '"';
+}
+
+} // namespace
+
 std::string pressCsv(const std::vector<NamedPress>& presses) {
     std::string text = "name,depth_m,force_n\n";
     for (const auto& [name, curve] : presses)
         for (const PressPoint& point : curve)
-            text += name + ',' + exactText(point.depth) + ',' + exactText(point.force) + '\n';
+            text += quoted(name) + ',' + exactText(point.depth) + ',' + exactText(point.force) + '\n';
     return text;
 }
 

@@ -34,6 +34,7 @@ VersionNeeds needsOf(const std::vector<Region>& regions, const BaseTissue& base,
     VersionNeeds needs;
     needs.binding = binding;
     needs.stiffening = base.stiffening.has_value();
+    needs.bending = base.resistsBending;
     needs.extendedInference =
         any([](const Region& region) { return region.system && needsExtendedInference(*region.system); });
     needs.softRims = any([](const Region& region) { return region.rim != 0; });

@@ -31,6 +31,13 @@ TEST_F(ModelPackageFile, HoldsTheHingesOfAWall) {
     EXPECT_EQ(loadPackagedTissue(m_file).tissue.hinges, package.tissue.hinges);
 }
 
+TEST_F(ModelPackageFile, HoldsTheHingesOfAWallOfTheUsualThickness) {
+    Project project = wallProject();
+    project.base.wallThickness = usualWallThickness;
+    exportPackage(project, m_file);
+    EXPECT_FALSE(loadPackage(m_file).tissue.hinges.empty());
+}
+
 TEST_F(ModelPackageFile, HingesThatAreNoneAreRefused) {
     exportPackage(wallProject(), m_file);
     const Glb whole = parseGlb(readFile(m_file));

@@ -1,7 +1,8 @@
 #include "core/probing/probe.h"
 
 #include "core/project/simulated_network.h"
-#include "core/project/solid_tissue.h"
+#include "core/project/shared_tissue.h"
+#include "core/project/wall.h"
 #include "core/support/errors.h"
 #include "tests/support/elastic_block.h"
 #include "tests/support/solid_surfaces.h"
@@ -30,7 +31,7 @@ FilledBlock filledBlock(LatticeKind kind, double spacing) {
     const auto network = std::make_shared<const SpringNetwork>(
         networkOf(mesh, {Detail::Kind::Filled, 0, LatticeFilling{kind, spacing}}));
     FilledBlock block{tissue::model(*network, {springConstant, 0.1, 1e-3}), touchedSurface(mesh, *network)};
-    block.model.ownValues = latticeValues(block.model);
+    block.model.ownValues = sharedValues(block.model, usualWallThickness);
     for (std::uint32_t node = 0; node < network->restPositions.size(); ++node)
         if (network->restPositions[node].z() < -blockHeight + 1e-6) block.model.fixedNodes.push_back(node);
     return block;

@@ -2,6 +2,7 @@
 
 #include "core/dynamics/measure/scene_run.h"
 #include "core/support/errors.h"
+#include "tests/support/solid_surfaces.h"
 #include "tests/support/test_surfaces.h"
 #include "tests/support/tissue_models.h"
 #include "tests/support/was_touched.h"
@@ -255,4 +256,19 @@ TEST(WithDetail, GivesWhatBecomesRigidItsOwnHoldAndBack) {
     EXPECT_THAT(evaluateModel(back).fixedNodes, IsEmpty());
     EXPECT_EQ(back.base.springConstant, full.base.springConstant);
     EXPECT_EQ(back.scene.tethers[0].springConstant, full.scene.tethers[0].springConstant);
+}
+
+TEST(DetailChange, KeepsFluidInThePartWhereItWas) {
+    TriangleMesh mesh = test::ball(0.03, {0, 0, 0}, 20);
+    test::append(mesh, test::ball(0.02, {0.1, 0, 0}, 8));
+    Project project = makeProject("balls", {mesh, {}});
+    for (const std::uint32_t part : {0U, 1U}) {
+        project.scene.fillings = {{part, 1000}};
+        for (const std::size_t nodes : {100U, 40U}) {
+            const Project fewer = withDetail(project, {Detail::Kind::Nodes, nodes});
+            const auto cavity = evaluateModel(fewer).cavities.at(0);
+            const bool isSmall = fewer.network->restPositions[cavity.triangles[0][0]].x() > 0.05;
+            EXPECT_EQ(isSmall, part == 1) << part << ", " << nodes;
+        }
+    }
 }

@@ -65,13 +65,13 @@ ClinicalRows::ClinicalRows(QWidget* parent)
 }
 
 void ClinicalRows::setTissue(const Tissue& tissue) {
-    const auto& [springConstant, viscosity, wallThickness] = tissue;
+    const auto& [springConstant, relaxationTime, wallThickness] = tissue;
     m_thickness->setValue(wallThickness);
     m_modulus->setValue(springConstant ? std::optional(youngsModulusOfWall(*springConstant, wallThickness))
                                        : std::nullopt);
     const bool draws = springConstant && *springConstant > 0;
     m_relaxation->setEmptyText(springConstant && !draws ? QString(QChar(0x2013)) : tr("as beneath"));
-    m_relaxation->setValue(draws && viscosity ? std::optional(*viscosity / *springConstant) : std::nullopt);
+    m_relaxation->setValue(relaxationTime);
     enable(
         m_relaxation, draws,
         tr("Viscosity over spring constant: stretched tissue that is let go has a third of its way left "

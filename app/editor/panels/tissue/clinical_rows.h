@@ -18,7 +18,7 @@ public:
     /// What tissue is set to; none where a region leaves it to what lies beneath.
     struct Tissue {
         std::optional<double> springConstant; ///< N/m
-        std::optional<double> viscosity;      ///< N·s/m
+        std::optional<double> relaxationTime; ///< s
         double wallThickness;                 ///< m
     };
     void setTissue(const Tissue& tissue);

@@ -206,9 +206,10 @@ void TissuePanel::showSource() {
 void TissuePanel::showClinically(const RegionTissue& tissue) {
     const BaseTissue& base = m_document.project().base;
     const Region* shown = region();
-    m_clinical->setTissue({shown ? tissue.values.springConstant : std::optional(base.springConstant),
-                           shown ? tissue.values.viscosity : std::optional(base.viscosity),
-                           base.wallThickness});
+    m_clinical->setTissue(
+        shown
+            ? ClinicalRows::Tissue{tissue.values.springConstant, relaxationTimeOf(tissue), base.wallThickness}
+            : ClinicalRows::Tissue{base.springConstant, relaxationTimeOf(base), base.wallThickness});
     m_clinical->showWallThickness(!shown || !shown->ellipsoid);
 }
 
@@ -344,7 +345,9 @@ void TissuePanel::addPlainParameter(Parameter parameter) {
         const QString kept = m_kept.text(m_document.project(), *shown, parameter);
         row->setValue(isHeld ? valueOf(shown->held, parameter) : inferred,
                       isHeld ? ParameterRow::Manner::Held : ParameterRow::Manner::Usual);
+        const bool isByTime = parameter == Parameter::Viscosity && tissue.relaxationTime;
         row->setRemark(inferred && !isHeld ? tr("as the system says")
+                       : isByTime          ? tr("the time above, times the spring constant beneath")
                        : kept.isEmpty()    ? tr("the region reaches no node")
                        : isHeld            ? tr("in place of %1").arg(kept)
                                            : tr("it keeps %1").arg(kept));
