@@ -69,7 +69,7 @@ class FluidTest(Case):
         self.assertEqual(self.done("info", self.project)["fillings"], [])
 
     def test_fewer_nodes_are_filled_as_well(self):
-        self.imported(surface(), "--nodes", 200)
+        self.imported(surface(), "--detail", 200)
         volume = self.simulated(SCENE)["volumes"][0]
         self.assertGreater(volume["volumes"][-1] / volume["at_rest"], 1.001)
 

@@ -43,7 +43,9 @@ class ProbeTest(Case):
 
     def test_what_cannot_be_pressed_is_said(self):
         organ = self.organ()
-        for options, what in [(["--at", "9 9 9"], "off the organ's surface"), (["--at", self.at(), "--depth", 5], "thick"),
+        for options, what in [(["--at", "9 9 9"], "off the organ's surface"), (["--at", self.at(), "--depth", 0.15], "thick"),
+                              (["--at", self.at(), "--depth", 5], "press less deep"), (["--at", self.at(), "--radius", 1e-30], "radius"),
+                              (["--at", self.at(), "--radius", 1e30], "radius"),
                               (["--node", 10**6], "there is no node"), (["--node", -1], "there is no node")]:
             self.fails(1, "probe", organ, *options, naming=what)
         self.assertEqual(command("probe", str(organ)).returncode, 2)

@@ -1,7 +1,7 @@
 #include "core/probing/probe.h"
 
-#include "core/project/simulated_network.h"
 #include "core/project/shared_tissue.h"
+#include "core/project/simulated_network.h"
 #include "core/project/wall.h"
 #include "core/support/errors.h"
 #include "tests/support/elastic_block.h"
