@@ -60,7 +60,7 @@ public:
 
 private:
     static std::string timeText(const RegionTissue& tissue) {
-        const auto time = relaxationTimeOf(tissue);
+        const auto& time = tissue.relaxationTime;
         return time ? amountText(*time, "s") : "as beneath";
     }
     static std::string systemText(const Region& region) {

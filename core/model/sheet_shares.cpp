@@ -6,7 +6,7 @@ namespace esm {
 
 namespace {
 
-constexpr double largestShare = 1000;
+constexpr double largestSheetShare = 1000;
 
 void checkShares(std::vector<std::string>& problems, const std::string& subject,
                  const std::vector<double>& shares, std::size_t count) {
@@ -15,7 +15,7 @@ void checkShares(std::vector<std::string>& problems, const std::string& subject,
                            "s have a share of the sheet");
     reportOffenders(problems, subject, "whose share of the sheet is not above 0, or beyond 1000",
                     placesWhere(shares.size(), [&](std::size_t i) {
-                        return !(shares[i] > 0 && shares[i] <= largestShare);
+                        return !(shares[i] > 0 && shares[i] <= largestSheetShare);
                     }));
 }
 

@@ -14,9 +14,9 @@ struct SymmetricSum {
     Eigen::MatrixXd columns; ///< C; none: nothing is added
     double factor;
 
-    SymmetricSum(Eigen::SparseMatrix<double> sparse = {}, Eigen::MatrixXd lowRank = {},
+    SymmetricSum(const Eigen::SparseMatrix<double>& sparse = {}, Eigen::MatrixXd lowRank = {},
                  double lowRankFactor = 1)
-        : lower(std::move(sparse)), columns(std::move(lowRank)), factor(lowRankFactor) {}
+        : lower(sparse), columns(std::move(lowRank)), factor(lowRankFactor) {}
 
     Eigen::Index rows() const { return lower.rows(); }
     Eigen::VectorXd times(const Eigen::VectorXd& x) const {

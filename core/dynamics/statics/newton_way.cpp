@@ -21,7 +21,9 @@ void forEachRow(const BlockFactor& factor, const BlockEntries& rows, std::size_t
 // right-hand side: with A x + b z = f and bᵀx + s z = g, z is (g − bᵀA⁻¹f) / (s − bᵀA⁻¹b).
 std::optional<NewtonWay> newtonWay(const BlockFactor& factor, const BlockEntries& rows,
                                    const Unbalanced& unbalanced) {
-    const auto& [forces, push, pushed] = unbalanced;
+    const Vectors& forces = unbalanced.forces;
+    const PushAlong& push = unbalanced.push;
+    const std::optional<double>& pushed = unbalanced.pushed;
     std::vector<Eigen::Vector3d> solved(factor.rowCount());
     forEachRow(factor, rows, forces.size(), [&](std::uint32_t node, int axis, int row, std::size_t place) {
         solved[place] = {forces[node][axis], push.coupling[row], 0};
