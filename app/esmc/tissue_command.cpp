@@ -107,7 +107,7 @@ void hold(TissueValues& held, const std::string& name, double value) {
 }
 
 void requireOneOf(const NamedValues& pairs, const std::string& one, const std::string& other) {
-    if (valueOf(pairs, one) && valueOf(pairs, other))
+    if (esm::valueOf(pairs, one) && esm::valueOf(pairs, other))
         throw UsageError("--override: " + one + " and " + other + " say the same; give one of them");
 }
 
@@ -116,9 +116,9 @@ void holdInClinicalUnits(Region& region, const std::vector<std::string>& overrid
     const NamedValues pairs = parsePairs(overrides, "--override");
     requireOneOf(pairs, "youngs_modulus", "spring_constant");
     requireOneOf(pairs, "relaxation_time", "viscosity");
-    if (const auto modulus = valueOf(pairs, "youngs_modulus"))
+    if (const auto modulus = esm::valueOf(pairs, "youngs_modulus"))
         hold(region.held, "spring_constant", springConstantOfWall(*modulus, wallThickness));
-    const auto time = valueOf(pairs, "relaxation_time");
+    const auto time = esm::valueOf(pairs, "relaxation_time");
     if (!time) return;
     const auto springConstant = evaluate(region, wallThickness).values.springConstant;
     if (!springConstant)

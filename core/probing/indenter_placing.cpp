@@ -50,7 +50,7 @@ Vector3d inwardsAt(const ProbedOrgan& organ, const SurfaceSpot& spot, const Prob
                               settings.radius);
     if (!settings.direction->allFinite() || settings.direction->norm() == 0)
         throw InvalidModel("the direction to press in must be three finite numbers that are not all 0");
-    const Vector3d inwards = settings.direction->stableNormalized();
+    Vector3d inwards = settings.direction->stableNormalized();
     if (inwards.dot(spot.outward) >= 0)
         throw InvalidModel("the direction to press in points out of the organ there: turn it round");
     return inwards;

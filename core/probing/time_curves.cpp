@@ -36,10 +36,11 @@ std::optional<double> timeConstantOf(const std::vector<TimedPress>& points, cons
 std::vector<double> growingTimes(double begin, double end) {
     std::vector<double> times;
     const double span = end - begin;
-    double step = firstStep * span;
-    for (double time = begin + step; time < end; time += step) {
+    double step = firstStep * span, time = begin + step;
+    while (time < end) {
         times.push_back(time);
         step = std::min(growth * step, span / stepsOfDuration);
+        time += step;
     }
     times.push_back(end);
     return times;
@@ -78,11 +79,12 @@ TimeCurve relaxationCurve(const TimedTest& test, const RelaxationTest& wanted, c
     const auto largest =
         std::max_element(curve.points.begin() + stepsOfRise + 1, curve.points.end(),
                          [](const TimedPress& a, const TimedPress& b) { return a.force < b.force; });
-    const std::vector<TimedPress> held(largest, curve.points.end());
+    const std::vector<TimedPress> after(largest, curve.points.end());
     std::vector<double> forces;
-    for (const TimedPress& point : held)
+    forces.reserve(after.size());
+    for (const TimedPress& point : after)
         forces.push_back(point.force);
-    curve.timeConstant = timeConstantOf(held, forces, end.force);
+    curve.timeConstant = timeConstantOf(after, forces, end.force);
     return curve;
 }
 
