@@ -27,7 +27,7 @@ protected:
         emit choice.activated(choice.currentIndex());
     }
 
-    const std::string preset = fuzzyPresetNames().front();
+    const std::string preset = "robo-sim"; // which every language can say
     FuzzyChoice choice;
     std::shared_ptr<const FuzzySystem> chosen;
     int times = 0;
