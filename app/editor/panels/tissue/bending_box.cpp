@@ -26,7 +26,7 @@ BendingBox::BendingBox(Document& document, QWidget* parent)
 
 void BendingBox::show() {
     const Project& project = m_document.project();
-    m_resists->setVisible(hasWall(*project.network));
+    m_resists->setVisible(hasWall(*project.network) && !project.mesh->triangles.empty());
     m_resists->setChecked(project.base.resistsBending);
 }
 

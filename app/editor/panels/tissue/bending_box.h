@@ -6,7 +6,8 @@
 
 namespace esm {
 
-/// Whether a hollow organ's wall resists bending. What is filled or rigid has no wall, and no such box.
+/// Whether a hollow organ's wall resists bending. What is filled, rigid or without a surface has no wall, and
+/// no such box.
 class BendingBox : public QWidget {
     Q_OBJECT
 

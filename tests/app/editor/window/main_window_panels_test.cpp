@@ -165,7 +165,7 @@ TEST_F(PanelsTest, TheWallMayResistBending) {
     EXPECT_FALSE(project().base.resistsBending);
     EXPECT_FALSE(resists->isChecked());
     open(makeSample("uterus"));
-    EXPECT_FALSE(child<QCheckBox>("resistsBending")->isVisible()) << "what moves rigidly has no wall";
+    EXPECT_FALSE(child<QCheckBox>("resistsBending")->isVisible()) << "it has no surface";
 }
 
 TEST_F(PanelsTest, TheLawOfAllSpringsStandsWithTheWholeOrgan) {
