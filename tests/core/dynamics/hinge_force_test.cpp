@@ -74,7 +74,7 @@ TEST(HingeForce, IsTheGradientOfItsEnergy) {
     const Vectors places = disturbed(model.network->restPositions, 0.01, 2);
     Vectors forces;
     elasticForces(system, places, forces);
-    for (const std::size_t node : {0, 7, 30, 44})
+    for (const std::size_t node : {0U, 7U, 30U, 44U})
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             constexpr double way = 1e-6;
             Vectors before = places, after = places;
