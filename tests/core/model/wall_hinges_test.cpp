@@ -22,7 +22,7 @@ double areaOf(const Triangle& t, const std::vector<Vector3d>& at) {
 double shareOfHinges(const TriangleMesh& mesh, const TissueModel& wall) {
     double share = 0;
     for (const Hinge& hinge : wall.hinges)
-        for (const std::size_t corner : {2, 3})
+        for (const std::size_t corner : {2U, 3U})
             share += areaOf({hinge.nodes[0], hinge.nodes[1], hinge.nodes[corner]}, mesh.vertices) / 3;
     return share;
 }

@@ -4,6 +4,7 @@
 #include "app/editor/edits/tissue_edits.h"
 #include "app/editor/panels/fuzzy/spare_systems_button.h"
 #include "app/editor/panels/tissue/tissue_preset_button.h"
+#include "core/authoring/regions.h"
 #include "core/exchange/project/tissue_preset_file.h"
 #include "widgets/fuzzy/small_font.h"
 #include "widgets/inputs/elided_label.h"
