@@ -1,5 +1,6 @@
 #include "core/project/region.h"
 
+#include "core/project/wall.h"
 #include "core/support/errors.h"
 
 #include <gmock/gmock.h>
