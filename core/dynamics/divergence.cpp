@@ -53,8 +53,7 @@ std::string burstOf(const SpringSystem& system, const Vectors& positions) {
         if (!(std::abs(volumes[i]) <= mostGrowth * system.cavities[i].restVolume))
             return "the fluid bursts part " + std::to_string(system.cavities[i].part) +
                    " of the surface: its volume grew beyond ten times that at rest, where the wall holds the "
-                   "pressure "
-                   "no more; lower the pressure, or raise the spring constant";
+                   "pressure no more; lower the pressure, or raise the spring constant";
     return {};
 }
 

@@ -135,7 +135,7 @@ void tie(TissueModel& model, const std::vector<TetherRule>& rules) {
 } // namespace
 
 std::optional<double> relaxationTimeOf(const BaseTissue& base) {
-    return base.springConstant > 0 ? std::optional(base.viscosity / base.springConstant) : std::nullopt;
+    return relaxationTimeOf(TissueValues{base.springConstant, base.viscosity, base.mass});
 }
 
 void numberParts(Project& project) {
@@ -222,7 +222,7 @@ TissueModel evaluateModel(const Project& project, const Scene& scene) {
             wallHinges(model, simulatedSurface(*project.mesh, *model.network), project.base.wallThickness);
     tie(model, scene.tethers);
     model.fixedNodes = fixedNodesOf(*project.network, scene);
-    if (project.mesh && (!scene.fillings.empty() || !scene.pressures.empty()))
+    if (!scene.fillings.empty() || !scene.pressures.empty())
         model.cavities =
             cavitiesOf(scene, *project.network, simulatedSurface(*project.mesh, *project.network));
     return model;

@@ -174,9 +174,7 @@ std::optional<double> inTermsOf(const FuzzyVariable& output, Parameter parameter
     if (!value) return std::nullopt;
     if (isYoungsModulus(output)) return youngsModulusOf(tissue, wallThickness);
     if (!isRelaxationTime(output)) return value;
-    RegionTissue whole;
-    whole.values = tissue;
-    return relaxationTimeOf(whole);
+    return relaxationTimeOf(tissue);
 }
 
 std::optional<double> youngsModulusOf(const TissueValues& values, double wallThickness) {
@@ -184,11 +182,14 @@ std::optional<double> youngsModulusOf(const TissueValues& values, double wallThi
     return youngsModulusOfWall(*values.springConstant, wallThickness);
 }
 
-std::optional<double> relaxationTimeOf(const RegionTissue& tissue) {
-    if (tissue.relaxationTime) return tissue.relaxationTime;
-    const auto& [springConstant, viscosity, mass] = tissue.values;
+std::optional<double> relaxationTimeOf(const TissueValues& values) {
+    const auto& [springConstant, viscosity, mass] = values;
     const bool isKnown = springConstant && viscosity && *springConstant > 0;
     return isKnown ? std::optional(*viscosity / *springConstant) : std::nullopt;
+}
+
+std::optional<double> relaxationTimeOf(const RegionTissue& tissue) {
+    return tissue.relaxationTime ? tissue.relaxationTime : relaxationTimeOf(tissue.values);
 }
 
 RegionTissue evaluate(const Region& region, double wallThickness) {

@@ -106,7 +106,9 @@ std::optional<double> inTermsOf(const FuzzyVariable& output, Parameter parameter
 
 /// Pa, of a wall; none where no spring constant is set.
 std::optional<double> youngsModulusOf(const TissueValues& values, double wallThickness);
-/// s, viscosity over spring constant; none where it follows from what lies beneath, or the constant is 0.
+/// s, viscosity over spring constant; none where one of both is not set, or the constant is 0.
+std::optional<double> relaxationTimeOf(const TissueValues& values);
+/// The same, or the time that the region sets where it leaves its spring constant to what lies beneath.
 std::optional<double> relaxationTimeOf(const RegionTissue& tissue);
 
 /// @param wallThickness m, of which a Young's modulus means a spring constant

@@ -85,11 +85,17 @@ private:
         const std::vector<SpringSystem::Filled>& cavities = simulation.system().cavities;
         if (cavities.empty()) return;
         FluidRow row{time, volumesOf(simulation.system(), simulation.positions()), {}};
-        const Loads loads = loadsDuring(m_scene, simulation.positions(), time, time);
         for (std::size_t i = 0; i < cavities.size(); ++i)
             row.pressures.push_back(ownPressure(cavities[i], row.volumes[i]) +
-                                    pressureOfLoads(loads, cavities[i], 1));
+                                    pressureOfScene(cavities[i].part, time));
         m_fluids.push_back(std::move(row));
+    }
+
+    /// Pa, that the scene lays on a part.
+    double pressureOfScene(std::uint32_t part, double time) const {
+        for (const PartPressure& pressure : m_scene.pressures)
+            if (pressure.part == part) return pressureAt(pressure, time);
+        return 0;
     }
 
     Vectors recorded(const Vectors& positions) const {

@@ -1,5 +1,7 @@
 #include "core/dynamics/spectrum/fluid_stiffness.h"
 
+#include "core/dynamics/block_entries.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,15 +12,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-std::vector<int> firstRows(const std::vector<char>& fixed) {
-    std::vector<int> rows(fixed.size(), -1);
-    int next = 0;
-    for (std::size_t node = 0; node < fixed.size(); ++node)
-        if (!fixed[node]) rows[node] = std::exchange(next, next + 3);
-    return rows;
-}
 
 /// How much larger the wall's area may be than at rest: under a pressure that its fluid resists, as much as
 /// that lets the volume grow, and a quarter more for what bends and presses it. Where nothing but the wall
@@ -35,34 +28,26 @@ Matrix3d crossMatrix(const Vector3d& d) {
     return matrix;
 }
 
-void addLower(Entries& entries, int row, int column, const Matrix3d& block) {
-    if (row < 0 || column < 0 || row < column) return;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            if (row + i >= column + j) entries.emplace_back(row + i, column + j, block(i, j));
-}
-
 // Of a ring's side (a, b) the gradient at x has (a − x)×(b − x)/6. Over a closed ring that is Σ a×b/6, of
 // which the parts by a and b are −[b]×/6 and [a]×/6; places are taken from x, since the ring's sum does not
 // depend on where they are taken from.
-void addTurning(Entries& entries, const SpringSystem::Filled& cavity, double pressure, const Vectors& places,
-                const std::vector<int>& rows) {
+void addTurning(BlockEntries& entries, const SpringSystem::Filled& cavity, double pressure,
+                const Vectors& places) {
     const CavityWall& wall = *cavity.wall;
     for (std::uint32_t place = 0; place < wall.size(); ++place)
         for (std::uint32_t i = wall.starts[place]; i < wall.starts[place + 1]; ++i) {
             const auto [from, to] = wall.sides[i];
             const Vector3d a = places[from] - places.front(), b = places[to] - places.front();
-            const int row = rows[wall.nodes[place]];
-            addLower(entries, row, rows[wall.nodes[from]], pressure / 6 * crossMatrix(b));
-            addLower(entries, row, rows[wall.nodes[to]], -pressure / 6 * crossMatrix(a));
+            entries.add(wall.nodes[place], wall.nodes[from], pressure / 6 * crossMatrix(b));
+            entries.add(wall.nodes[place], wall.nodes[to], -pressure / 6 * crossMatrix(a));
         }
 }
 
 Eigen::VectorXd column(const SpringSystem::Filled& cavity, const Vectors& gradient,
-                       const std::vector<int>& rows, Eigen::Index size) {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(size);
+                       const BlockEntries& entries) {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(entries.rowCount());
     for (std::size_t place = 0; place < gradient.size(); ++place)
-        if (const int row = rows[cavity.wall->nodes[place]]; row >= 0)
+        if (const int row = entries.rowOf(cavity.wall->nodes[place]); row >= 0)
             result.segment<3>(row) = std::sqrt(pressureSlope(cavity)) * gradient[place];
     return result;
 }
@@ -70,26 +55,23 @@ Eigen::VectorXd column(const SpringSystem::Filled& cavity, const Vectors& gradie
 } // namespace
 
 SymmetricSum fluidStiffness(const SpringSystem& system, Deformation deformation) {
-    const std::vector<int> rows = firstRows(system.fixed);
-    const auto size = 3 * std::count(system.fixed.begin(), system.fixed.end(), 0);
-    SymmetricSum sum{Eigen::SparseMatrix<double>(size, size), Eigen::MatrixXd(size, 0)};
-    Entries entries;
+    BlockEntries entries(system.fixed);
+    Eigen::MatrixXd columns(entries.rowCount(), 0);
     for (const SpringSystem::Filled& cavity : system.cavities) {
         const Vectors places = placesOf(*cavity.wall, system.network->restPositions);
         const double growth = deformation == Deformation::Any ? areaGrowth(cavity) : 1;
         if (cavity.largestPressure > 0)
-            addTurning(entries, cavity, std::sqrt(growth) * cavity.largestPressure, places, rows);
+            addTurning(entries, cavity, std::sqrt(growth) * cavity.largestPressure, places);
         if (cavity.stiffness == 0) continue;
-        sum.columns.conservativeResize(size, sum.columns.cols() + 1);
-        sum.columns.col(sum.columns.cols() - 1) =
-            growth * column(cavity, volumeOf(*cavity.wall, places).gradient, rows, size);
+        columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+        columns.col(columns.cols() - 1) =
+            growth * column(cavity, volumeOf(*cavity.wall, places).gradient, entries);
     }
-    sum.lower.setFromTriplets(entries.begin(), entries.end());
-    return sum;
+    return {entries.matrix(), std::move(columns)};
 }
 
 Eigen::SparseMatrix<double> forThreeAxes(const Eigen::SparseMatrix<double>& lower) {
-    Entries entries;
+    std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(3 * static_cast<std::size_t>(lower.nonZeros()));
     for (int column = 0; column < lower.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator it(lower, column); it; ++it)

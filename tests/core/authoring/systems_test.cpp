@@ -80,6 +80,7 @@ TEST_F(Systems, GoWhenTheyAreRemoved) {
 TEST_F(Systems, KeepInputsThatTheOtherHasToo) {
     FuzzySystem copy = *own("copy");
     copy.inputs[0].terms.pop_back();
+    copy.rules.clear();
     copy.inputs.push_back({"wetness", 2, 4, {{"wet", {2, 2, 4, 4}}}});
     Region& region = project.regions[0];
     region.inputs = {{"consistency", 4.5}};

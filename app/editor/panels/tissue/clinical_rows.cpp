@@ -72,13 +72,11 @@ void ClinicalRows::setTissue(const Tissue& tissue) {
     const bool draws = springConstant && *springConstant > 0;
     m_relaxation->setEmptyText(springConstant && !draws ? QString(QChar(0x2013)) : tr("as beneath"));
     m_relaxation->setValue(relaxationTime);
-    enable(
-        m_relaxation, draws,
-        tr("Viscosity over spring constant: stretched tissue that is let go has a third of its way left "
-           "after "
-           "this time; the viscosity follows. A dent takes several times as long: it bends the surface and "
-           "hardly stretches it"),
-        tr("There is no relaxation time where no spring constant is set that draws the tissue back"));
+    enable(m_relaxation, draws,
+           tr("Viscosity over spring constant: stretched tissue that is let go has a third of its way left "
+              "after this time; the viscosity follows. A dent takes several times as long: it bends the "
+              "surface and hardly stretches it"),
+           tr("There is no relaxation time where no spring constant is set that draws the tissue back"));
 }
 
 void ClinicalRows::showWallThickness(bool isShown) {
