@@ -5,13 +5,12 @@
 #include "app/editor/dialogs/import_report.h"
 #include "app/editor/dialogs/preview_background.h"
 #include "core/authoring/import_unit.h"
-#include "core/model/motion_model.h"
-#include "core/solid/filled_body.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/refused_numbers.h"
 
 #include <QDialogButtonBox>
+#include <QFormLayout>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -43,18 +42,6 @@ QString trianglesText(std::size_t count) {
     return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
 }
 
-/// A fifth of what moved several times as fast as real time on two processors (docs/performance.md).
-constexpr std::size_t suggestedNodes = 2000;
-
-/// From the fewest that make a surface to one for every vertex.
-NumberFormat nodesFormat(std::size_t vertices) {
-    NumberFormat format;
-    format.decimals = 0;
-    format.minimum = fewestVertices;
-    format.maximum = static_cast<double>(std::max(vertices, fewestVertices));
-    return format;
-}
-
 /// Of the list of findings, as high as the window allows; more scroll.
 constexpr int fewestReportLines = 5, mostReportLines = 11;
 
@@ -75,10 +62,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
           m_found, recommendedUnit(m_found->extent.maxCoeff(), meshFileEnding(fileName.toStdString())),
           this)),
       m_units(new QButtonGroup(this)), m_up(new QComboBox(this)), m_keep(new QComboBox(this)),
-      m_detail(new QComboBox(this)),
-      m_nodes(new NumberField(nodesFormat(m_found->mesh->vertices.size()), this)),
-      m_fewerNodes(static_cast<double>(std::min(suggestedNodes, m_found->mesh->vertices.size()))),
-      m_size(new QLabel(this)), m_doubt(new QLabel(this)), m_suggestion(quietLabel({}, this)),
+      m_body(new BodyQuestion(this)), m_size(new QLabel(this)), m_doubt(new QLabel(this)),
       m_report(new QPlainTextEdit(this)), m_accept(new QPushButton(tr("&Import"), this)) {
     setWindowTitle(tr("Import organ surface"));
     setObjectName(QStringLiteral("importDialog"));
@@ -96,6 +80,7 @@ ImportDialog::ImportDialog(const QString& fileName, std::shared_ptr<const Polygo
     // The preview and other widgets would keep it for themselves.
     rejectOnEscape(*this);
     connect(m_openings, &OpeningOptions::changed, this, &ImportDialog::lookAgain);
+    connect(m_body, &BodyQuestion::changed, this, &ImportDialog::showWhetherPossible);
     connect(&m_importer, &SurfaceImporter::answered, this, &ImportDialog::takeAnswer);
     connect(m_view, &OrganView::drawn, this, [this] {
         if (m_view->scene().mesh)
@@ -128,6 +113,7 @@ QWidget* ImportDialog::makeQuestions(const QString& fileName) {
     addUnits(column, recommendedUnit(m_found->extent.maxCoeff(), meshFileEnding(fileName.toStdString())));
     addParts();
     addOrientation(column);
+    column->addWidget(m_body);
     column->addWidget(m_openings);
     column->addStretch();
     auto* area = new QScrollArea(this);
@@ -213,47 +199,12 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
     addChoice(form, tr("&Keep"), m_keep,
               m_keep->isEnabled() ? tr("Which parts of the file become the organ")
                                   : tr("The surface is one part"));
-    addDetail(form);
     column->addLayout(form);
 }
 
-void ImportDialog::addDetail(QFormLayout* form) {
-    m_detail->setObjectName(QStringLiteral("importDetail"));
-    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece"),
-                        tr("a solid body, filled with nodes")});
-    addChoice(form, tr("&Simulate"), m_detail, tr("What moves under the drawn surface"));
-    m_nodes->setAccessibleName(tr("Nodes"));
-    QLabel* caption = quietLabel(tr("&Nodes"), this);
-    caption->setBuddy(m_nodes);
-    form->addRow(caption, m_nodes);
-    m_suggestion->setObjectName(QStringLiteral("importSuggestion"));
-    m_suggestion->setWordWrap(true);
-    m_suggestion->setMinimumHeight(2 * m_suggestion->fontMetrics().lineSpacing());
-    form->addRow(m_suggestion);
-    connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &ImportDialog::showDetail);
-    connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) { m_fewerNodes = nodes; });
-}
-
-/// What is open has no inside.
-void ImportDialog::showWhetherFillable() {
-    enable(m_accept, detailKind() != Detail::Kind::Filled || m_shown->report.isClosed(),
-           tr("Make an organ of the surface as it is shown"),
-           tr("An open surface cannot be filled: close it, or simulate every vertex"));
-}
-
-void ImportDialog::showDetail() {
-    const Detail::Kind kind = detailKind();
-    showWhetherFillable();
-    showSuggestion();
-    enable(m_nodes, kind == Detail::Kind::Nodes, tr("More nodes follow a deformation closer and take longer"),
-           tr("Choose fewer nodes to say how many"));
-    // A number that was refused stays to be mended.
-    if (m_nodes->isEnabled() && !m_nodes->refusal().isEmpty()) return;
-    const double all = static_cast<double>(m_shown->mesh->vertices.size());
-    m_nodes->setValue(kind == Detail::Kind::Nodes    ? std::min(m_fewerNodes, all)
-                      : kind == Detail::Kind::Rigid  ? double(motionModelNodes)
-                      : kind == Detail::Kind::Filled ? usualLatticeNodes
-                                                     : all);
+void ImportDialog::showWhetherPossible() {
+    const QString refusal = m_body->refusal();
+    enable(m_accept, refusal.isEmpty(), tr("Make an organ of the surface as it is shown"), refusal);
 }
 
 void ImportDialog::addReport(QVBoxLayout* column) {
@@ -311,23 +262,6 @@ void ImportDialog::showPreview(const RenderScene& preview) {
     if (isElsewhere) m_view->frameOrgan();
 }
 
-/// How many nodes are worth to be chosen, and why.
-void ImportDialog::showSuggestion() {
-    const std::size_t vertices = m_shown->mesh->vertices.size();
-    if (detailKind() == Detail::Kind::Filled)
-        return m_suggestion->setText(
-            m_shown->report.isClosed()
-                ? tr("About %1 nodes fill the body. Model → Inside… then shows them, and chooses others.")
-                      .arg(countText(static_cast<std::size_t>(usualLatticeNodes)))
-                : tr("The surface is open and cannot be filled: close slits and fill holes below."));
-    m_suggestion->setText(
-        vertices <= suggestedNodes
-            ? tr("Recommended: every vertex. So few usually move in real time.")
-            : tr("Recommended: %1 nodes under the full surface. So few usually move in real time; %2 may "
-                 "not. What this machine does is told under Measure.")
-                  .arg(countText(suggestedNodes), countText(vertices)));
-}
-
 QString ImportDialog::sizeText(const Eigen::Vector3d& extent) const {
     const Eigen::Vector3d size = extent * metresPer(choice().unit);
     const Eigen::Vector3d shown = (turnedUp(choice().up) * size).cwiseAbs();
@@ -350,7 +284,7 @@ void ImportDialog::showKept() {
     m_report->setPlainText((reportLines(*m_shown) + partLines()).join('\n'));
     m_size->setText(sizeText(m_shown->extent));
     m_doubt->setText(doubtfulExtent(m_shown->extent.maxCoeff(), choice().unit));
-    showDetail();
+    m_body->setSurface(m_shown->mesh->vertices.size(), m_shown->report.isClosed());
 }
 
 ImportChoice ImportDialog::choice() const {
@@ -360,9 +294,7 @@ ImportChoice ImportDialog::choice() const {
     choice.keep = keptParts();
     choice.slitWidth = m_openings->slitWidth();
     choice.holeEdges = m_openings->holeEdges();
-    choice.detail = {detailKind(), static_cast<std::size_t>(m_nodes->value().value_or(0))};
-    if (choice.detail.nodes >= m_shown->mesh->vertices.size() && choice.detail.kind == Detail::Kind::Nodes)
-        choice.detail.kind = Detail::Kind::EveryVertex;
+    choice.body = m_body->choice();
     return choice;
 }
 

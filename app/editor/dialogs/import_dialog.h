@@ -1,16 +1,14 @@
 #pragma once
 
+#include "app/editor/dialogs/body_question.h"
 #include "app/editor/dialogs/opening_options.h"
 #include "app/editor/workers/surface_importer.h"
 #include "core/exchange/meshes/mesh_file.h"
-#include "core/model/detail.h"
-#include "widgets/inputs/number_field.h"
 #include "widgets/view/organ_view.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDialog>
-#include <QFormLayout>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -25,7 +23,7 @@ struct ImportChoice {
     KeepParts keep = KeepParts::All;
     double slitWidth = 0;      ///< m, up to which slits are closed
     std::size_t holeEdges = 0; ///< up to which holes are filled
-    Detail detail;
+    BodyChoice body;
 };
 
 /// In metres.
@@ -54,10 +52,7 @@ private:
     void addUnits(QVBoxLayout* column, LengthUnit likely);
     void addOrientation(QVBoxLayout* column);
     void addParts();
-    void addDetail(QFormLayout* form);
-    void showDetail();
-    void showWhetherFillable();
-    Detail::Kind detailKind() const { return static_cast<Detail::Kind>(m_detail->currentIndex()); }
+    void showWhetherPossible();
     void addReport(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
     KeepParts keptParts() const { return m_keep->currentIndex() == 1 ? KeepParts::Largest : KeepParts::All; }
@@ -67,7 +62,6 @@ private:
     QString sizeText(const Eigen::Vector3d& extent) const;
     QStringList partLines() const;
     void showKept();
-    void showSuggestion();
 
     std::shared_ptr<const ImportedSurface> m_found, m_shown;
     SurfaceImporter m_importer;
@@ -76,10 +70,9 @@ private:
     OrganView* m_view;
     OpeningOptions* m_openings;
     QButtonGroup* m_units;
-    QComboBox *m_up, *m_keep, *m_detail;
-    NumberField* m_nodes;
-    double m_fewerNodes; ///< as last asked for
-    QLabel *m_size, *m_doubt, *m_suggestion;
+    QComboBox *m_up, *m_keep;
+    BodyQuestion* m_body;
+    QLabel *m_size, *m_doubt;
     QPlainTextEdit* m_report;
     QPushButton* m_accept;
 };

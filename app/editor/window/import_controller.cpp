@@ -10,6 +10,7 @@
 #include "core/support/numbers.h"
 
 #include <cmath>
+#include <utility>
 
 namespace esm {
 
@@ -30,15 +31,16 @@ ReadSurface readSurface(const std::filesystem::path& file, const Progress& progr
 }
 
 /// Times the nodes that were promised: more come of a thin body, whatever the spacing.
-constexpr double mostOfUsual = 5;
+constexpr double mostOfWanted = 5;
 
-/// Of a solid organ with the usual lattice; others are chosen once it stands in the window.
+/// Of a solid organ with a lattice of the usual kind; others are chosen once it stands in the window.
 Detail detailFor(const TriangleMesh& mesh, Detail detail) {
     detail.isEven = true;
     if (detail.kind != Detail::Kind::Filled) return detail;
-    detail.filling = fillingOf(mesh, LatticeFilling().kind);
+    const auto wanted = static_cast<double>(std::exchange(detail.nodes, 0));
+    detail.filling = fillingOf(mesh, LatticeFilling().kind, wanted);
     const double nodes = estimateLattice(mesh, *detail.filling).nodes;
-    if (nodes > mostOfUsual * usualLatticeNodes)
+    if (nodes > mostOfWanted * wanted)
         throw InvalidModel(
             "what the surface encloses is thin, as a wall is, and would take about " +
             roundedText(std::round(nodes / 1000)) +
@@ -52,8 +54,10 @@ Project organOf(const PolygonSoup& soup, const std::string& name, const ImportCh
     PolygonSoup metres = soup;
     convertToMetres(metres, choice.unit, choice.up);
     RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
-    const Detail detail = detailFor(mesh.mesh, choice.detail);
-    return makeProject(name, std::move(mesh), std::nullopt, detail, parts.rest());
+    const Detail detail = detailFor(mesh.mesh, choice.body.detail);
+    Project project = makeProject(name, std::move(mesh), std::nullopt, detail, parts.rest());
+    project.base.resistsBending = choice.body.resistsBending;
+    return project;
 }
 
 } // namespace

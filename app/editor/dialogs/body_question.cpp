@@ -1,0 +1,200 @@
+#include "app/editor/dialogs/body_question.h"
+
+#include "core/geometry/simplified_mesh.h"
+#include "core/model/motion_model.h"
+#include "core/project/wall.h"
+#include "core/solid/filled_body.h"
+#include "widgets/inputs/action_texts.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/number_text.h"
+
+#include <QHBoxLayout>
+#include <QRadioButton>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// A fifth of what moved several times as fast as real time on two processors (docs/performance.md).
+constexpr std::size_t suggestedNodes = 2000;
+/// A lattice of fewer shows no form, of more takes minutes to fill and to play.
+constexpr double fewestSolidNodes = 100, mostSolidNodes = 1e5;
+/// The time of a step by `split2`, over that of a hollow organ that bends freely and has as many nodes
+/// (docs/performance.md).
+constexpr double workOfBending = 2, workOfSolid = 1.6;
+
+QLabel* quiet(const QString& text, QWidget* parent) {
+    auto* label = new QLabel(text, parent);
+    label->setProperty("quiet", true);
+    return label;
+}
+
+NumberFormat countFormat(double fewest, double most) {
+    NumberFormat format;
+    format.decimals = 0;
+    format.minimum = fewest;
+    format.maximum = std::max(fewest, most);
+    return format;
+}
+
+void addRow(QFormLayout* form, QWidget* left, QLabel* right) {
+    right->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    auto* row = new QHBoxLayout;
+    row->addWidget(left, 1);
+    row->addWidget(right);
+    form->addRow(row);
+}
+
+} // namespace
+
+BodyQuestion::BodyQuestion(QWidget* parent)
+    : QWidget(parent), m_bodies(new QButtonGroup(this)), m_work{}, m_detail(new QComboBox(this)),
+      m_nodes(new NumberField(countFormat(fewestVertices, fewestVertices), this)),
+      m_suggestion(quiet({}, this)), m_fewerNodes(static_cast<double>(suggestedNodes)),
+      m_solidNodes(usualLatticeNodes) {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    addBodies(form);
+    addDetail(form);
+}
+
+void BodyQuestion::addBodies(QFormLayout* form) {
+    addRow(form, quiet(tr("The organ is …"), this), quiet(tr("work of a step"), this));
+    const std::array<QString, 3> names{tr("&hollow, and bends freely"),
+                                       tr("hollow, with a &wall that resists bending"),
+                                       tr("&solid, filled with nodes")};
+    const std::array<QString, 3> meanings{
+        tr("A bag of springs in the surface alone, which its tethers keep in form: for a first look, and for "
+           "what is thin as a skin"),
+        tr("The surface also resists bending, as a wall %1 mm thick does; Tissue has the thickness. For "
+           "bowel, bladder, vessels")
+            .arg(numberText(1000 * usualWallThickness)),
+        tr("Nodes and springs throughout the body, so that it resists being pressed: for liver, kidney, "
+           "spleen")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        auto* button = new QRadioButton(names[i], this);
+        button->setObjectName(QStringLiteral("importBody%1").arg(i));
+        button->setToolTip(meanings[i]);
+        m_bodies->addButton(button, static_cast<int>(i));
+        m_work[i] = quiet({}, this);
+        m_work[i]->setObjectName(QStringLiteral("importWork%1").arg(i));
+        m_work[i]->setToolTip(tr("How long a step of the motion takes, beside that of the hollow organ that "
+                                 "bends freely"));
+        addRow(form, button, m_work[i]);
+    }
+    m_bodies->button(Hollow)->setChecked(true);
+    connect(m_bodies, &QButtonGroup::idClicked, this, &BodyQuestion::showChoice);
+}
+
+void BodyQuestion::addDetail(QFormLayout* form) {
+    m_detail->setObjectName(QStringLiteral("importDetail"));
+    m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
+    const auto addField = [&](const QString& caption, QWidget* field) {
+        QLabel* label = quiet(caption, this);
+        label->setBuddy(field);
+        field->setAccessibleName(withoutMnemonic(caption));
+        form->addRow(label, field);
+    };
+    addField(tr("Simula&te"), m_detail);
+    addField(tr("&Nodes"), m_nodes);
+    m_suggestion->setObjectName(QStringLiteral("importSuggestion"));
+    m_suggestion->setWordWrap(true);
+    // The room for it is kept, so that nothing moves.
+    m_suggestion->setMinimumHeight(3 * m_suggestion->fontMetrics().lineSpacing());
+    m_suggestion->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    form->addRow(m_suggestion);
+    connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &BodyQuestion::showChoice);
+    connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) {
+        (kind() == Detail::Kind::Filled ? m_solidNodes : m_fewerNodes) = nodes;
+        showWork();
+        m_suggestion->setText(suggestion());
+    });
+}
+
+void BodyQuestion::setSurface(std::size_t vertices, bool isClosed) {
+    m_vertices = vertices;
+    m_isClosed = isClosed;
+    showChoice();
+}
+
+Detail::Kind BodyQuestion::kind() const {
+    return body() == Solid ? Detail::Kind::Filled : static_cast<Detail::Kind>(m_detail->currentIndex());
+}
+
+BodyChoice BodyQuestion::choice() const {
+    BodyChoice choice{{kind(), static_cast<std::size_t>(m_nodes->value().value_or(0))}, false};
+    if (choice.detail.kind == Detail::Kind::Nodes && choice.detail.nodes >= m_vertices)
+        choice.detail.kind = Detail::Kind::EveryVertex;
+    choice.resistsBending = body() == Walled && choice.detail.kind != Detail::Kind::Rigid;
+    return choice;
+}
+
+QString BodyQuestion::refusal() const {
+    return body() == Solid && !m_isClosed
+               ? tr("An open surface cannot be filled: close it, or choose a hollow organ")
+               : QString();
+}
+
+void BodyQuestion::showChoice() {
+    enable(m_detail, body() != Solid, tr("What moves under the drawn surface"),
+           tr("The nodes of a solid body lie on a lattice, not at the surface's vertices"));
+    showNodes();
+    showWork();
+    m_suggestion->setText(suggestion());
+    emit changed();
+}
+
+void BodyQuestion::showNodes() {
+    const bool isOther = m_shownKind != kind();
+    m_shownKind = kind();
+    const bool isChosen = kind() == Detail::Kind::Nodes || kind() == Detail::Kind::Filled;
+    enable(m_nodes, isChosen, tr("More nodes follow a deformation closer and take longer"),
+           tr("Choose fewer nodes, or a solid organ, to say how many"));
+    // A number that was refused stays to be mended.
+    if (isChosen && !isOther && !m_nodes->refusal().isEmpty()) return;
+    m_nodes->setFormat(kind() == Detail::Kind::Filled
+                           ? countFormat(fewestSolidNodes, mostSolidNodes)
+                           : countFormat(fewestVertices, static_cast<double>(m_vertices)));
+    m_nodes->setValue(kind() == Detail::Kind::Filled ? m_solidNodes : hollowNodes());
+}
+
+/// Of the organ, were it hollow.
+double BodyQuestion::hollowNodes() const {
+    const auto all = static_cast<double>(m_vertices);
+    switch (static_cast<Detail::Kind>(m_detail->currentIndex())) {
+    case Detail::Kind::Nodes:
+        return std::min(m_fewerNodes, all);
+    case Detail::Kind::Rigid:
+        return static_cast<double>(motionModelNodes);
+    default:
+        return all;
+    }
+}
+
+void BodyQuestion::showWork() {
+    const bool isRigid = m_detail->currentIndex() == static_cast<int>(Detail::Kind::Rigid);
+    const std::array<double, 3> work{1, isRigid ? 1 : workOfBending,
+                                     workOfSolid * m_solidNodes / std::max(1.0, hollowNodes())};
+    for (std::size_t i = 0; i < work.size(); ++i)
+        m_work[i]->setText(i == Hollow ? tr("1 ×") : tr("about %1 ×").arg(numberText(work[i], 1)));
+}
+
+/// How many nodes are worth to be chosen, and why.
+QString BodyQuestion::suggestion() const {
+    if (!refusal().isEmpty())
+        return tr("The surface is open and cannot be filled: close slits and fill holes below.");
+    if (body() == Solid)
+        return tr("About %1 nodes fill the body. Model → Inside… then shows them, and chooses others.")
+            .arg(countText(static_cast<std::size_t>(m_solidNodes)));
+    if (m_vertices <= suggestedNodes)
+        return tr("Recommended: every vertex. So few usually move in real time.");
+    return tr("Recommended: %1 nodes under the full surface. So few usually move in real time; %2 may not. "
+              "What this machine does is told under Measure.")
+        .arg(countText(suggestedNodes), countText(m_vertices));
+}
+
+} // namespace esm
