@@ -183,13 +183,12 @@ void requireRoomForFluids(const Project& project) {
         throw InvalidModel("a lattice fills the body, and leaves no room for a fluid; take the fluid out "
                            "of it first, or keep it hollow");
     const std::vector<Triangle> surface = simulatedSurface(*project.mesh, *project.network);
-    for (const std::uint32_t part : parts)
-        try {
+    try {
+        for (const std::uint32_t part : parts)
             cavityOf(project.network->restPositions, surface, part);
-        } catch (const InvalidModel& problem) {
-            throw InvalidModel("these nodes leave no room for the organ's fluid: " +
-                               std::string(problem.what()));
-        }
+    } catch (const InvalidModel& problem) {
+        throw InvalidModel("these nodes leave no room for the organ's fluid: " + std::string(problem.what()));
+    }
 }
 
 bool movesRigidly(const SpringNetwork& network) {

@@ -18,13 +18,16 @@ namespace esm {
 
 namespace {
 
-constexpr std::size_t mostListed = 30;    ///< parts, beside those that hold something
+constexpr double speck = 1e-6;         ///< of the largest part's volume; what surfaces bring along is smaller
+constexpr std::size_t mostListed = 30; ///< parts, beside those that hold something
 constexpr qint64 betweenReadings = 100;   ///< ms; numbers that change faster cannot be read
 constexpr std::size_t mostOpenNamed = 10; ///< parts, in a tool tip
 
+/// Up to several times that of water, 2.2 GPa.
 NumberFormat fluidStiffnessFormat() {
     NumberFormat format = modulusFormat();
     format.minimum = 1;
+    format.maximum = 1e10;
     return format;
 }
 
@@ -199,7 +202,8 @@ void FluidPanel::listParts() {
     m_part->clear();
     for (std::size_t i = 0; i < m_closed; ++i) {
         const FillablePart& part = m_parts[i];
-        if (i >= mostListed && !holdsFluid(scene, part.part)) continue;
+        const bool isMinor = i >= mostListed || part.volume < speck * m_parts.front().volume;
+        if (isMinor && !holdsFluid(scene, part.part)) continue;
         m_part->addItem(nameInList(part, scene), part.part);
     }
     if (m_part->count() == 0)
@@ -299,7 +303,8 @@ void FluidPanel::showAside() {
     QStringList said, reasons;
     if (open > 0)
         said << (open == 1 ? tr("1 open part holds no fluid") : tr("%1 open parts hold no fluid").arg(open));
-    if (left > 0) said << tr("%1 small ones are not listed").arg(left);
+    if (left > 0)
+        said << (left == 1 ? tr("1 small one is not listed") : tr("%1 small ones are not listed").arg(left));
     for (std::size_t i = m_closed; i < std::min(m_parts.size(), m_closed + mostOpenNamed); ++i)
         reasons << nameOf(m_parts[i]) + QString::fromStdString(m_parts[i].problem);
     if (open > mostOpenNamed) reasons << tr("… and %1 more").arg(open - mostOpenNamed);

@@ -70,6 +70,12 @@ TEST_F(FluidPanelTest, ListsNoMoreOfManySmallPartsThanCanBeChosenFrom) {
     EXPECT_EQ(textOf("fluidAside"), "9 small ones are not listed");
 }
 
+TEST_F(FluidPanelTest, ListsNoSpecks) {
+    show(ballsOf({0.03, 1e-4, 0.01}));
+    EXPECT_EQ(part()->count(), 2);
+    EXPECT_EQ(textOf("fluidAside"), "1 small one is not listed");
+}
+
 TEST_F(FluidPanelTest, FillsThePartThatIsShownAndUndoTakesItBack) {
     show(ballsOf({0.01, 0.03}));
     EXPECT_FALSE(filled()->isChecked());
