@@ -1,6 +1,7 @@
 #include "app/esmc/volume_report.h"
 
 #include "core/support/numbers.h"
+#include "core/support/pressure_units.h"
 
 namespace esm {
 
@@ -8,7 +9,6 @@ namespace {
 
 /// How a pressure is told to people who know one unit or the other.
 std::string pressureInText(double pascal) {
-    constexpr double pascalPerMillimetreOfMercury = 133.322387415;
     return inText(pascal) + " Pa (" + roundedText(pascal / pascalPerMillimetreOfMercury, 4) + " mmHg)";
 }
 

@@ -39,9 +39,10 @@ std::size_t unbalancedEdges(const std::vector<TriangleSide>& sides) {
     return count;
 }
 
-/// Why triangles can be no wall of a fluid; empty when they can, facing either way. Where each edge is run
-/// along as often in both directions, the wall's area vectors add up to zero, and a pressure on it moves
-/// nothing as a whole.
+} // namespace
+
+// Where each edge is run along as often in both directions, the wall's area vectors add up to zero, and a
+// pressure on it moves nothing as a whole.
 std::string wallProblem(const TriangleMesh& wall) {
     const std::vector<TriangleSide> sides = sidesByEdge(wall.triangles);
     if (const std::size_t open = countEdges(sides).boundary; open > 0) return openPartProblem(wall, open);
@@ -53,8 +54,6 @@ std::string wallProblem(const TriangleMesh& wall) {
         return " encloses nothing that could be filled";
     return {};
 }
-
-} // namespace
 
 // Whichever way a part faces by itself: the fluid is on the side where the volume is.
 Cavity cavityOf(const std::vector<Eigen::Vector3d>& restPositions, const std::vector<Triangle>& surface,

@@ -25,6 +25,10 @@ struct Cavity {
 Cavity cavityOf(const std::vector<Eigen::Vector3d>& restPositions, const std::vector<Triangle>& surface,
                 std::uint32_t part);
 
+/// Why triangles can be no wall of a fluid, as what is said of them: " is open, …". Empty when they can,
+/// facing either way. m
+std::string wallProblem(const TriangleMesh& wall);
+
 /// Every problem of a cavity, its part left as it is named.
 std::vector<std::string> validate(const Cavity& cavity, const std::vector<Eigen::Vector3d>& restPositions);
 

@@ -176,6 +176,11 @@ Eigen::Vector3d positionAt(const Path& path, double time);
 /// Pa, at a time. Precondition: the path has a point.
 double pressureAt(const PartPressure& pressure, double time);
 
+/// Whether it is the same from the beginning on, as of an organ that stands under a pressure.
+inline bool isConstant(const PartPressure& pressure) {
+    return pressure.path.size() == 1;
+}
+
 /// Where an instrument is at a time. Precondition: its path has a point.
 ColliderPose poseAt(const InstrumentMotion& instrument, double time);
 PlacedCollider placedAt(const InstrumentMotion& instrument, double time);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace esm {
 
@@ -39,6 +40,15 @@ private:
 };
 
 } // namespace
+
+std::vector<std::uint32_t> fluidParts(const Scene& scene) {
+    std::set<std::uint32_t> parts;
+    for (const FluidFilling& filling : scene.fillings)
+        parts.insert(filling.part);
+    for (const PartPressure& pressure : scene.pressures)
+        parts.insert(pressure.part);
+    return {parts.begin(), parts.end()};
+}
 
 std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,
                                const std::vector<Triangle>& surface) {

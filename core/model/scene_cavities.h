@@ -6,6 +6,9 @@
 
 namespace esm {
 
+/// The numbers of the parts that a scene fills or presses from within, rising.
+std::vector<std::uint32_t> fluidParts(const Scene& scene);
+
 /// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
 /// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.
 /// @throws InvalidModel under the scene's entry, where a part is none that holds a fluid: see cavityOf();

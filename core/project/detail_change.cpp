@@ -1,9 +1,11 @@
 #include "core/project/detail_change.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/model/cavity.h"
 #include "core/model/scene_cavities.h"
 #include "core/project/simulated_network.h"
 #include "core/project/surroundings.h"
+#include "core/support/errors.h"
 
 #include <algorithm>
 #include <iterator>
@@ -172,6 +174,23 @@ void keepFluids(Scene& scene, const Project& before, const Project& after) {
         pressure.part = partThere(here, pressure.part, there);
 }
 
+/// Told of the organ, not of an entry of its scene, which nobody has in hand who changes its detail.
+/// @throws InvalidModel where the nodes leave no room for the fluids that it holds
+void requireRoomForFluids(const Project& project) {
+    const std::vector<std::uint32_t> parts = fluidParts(project.scene);
+    if (parts.empty()) return;
+    if (project.network->lattice)
+        throw InvalidModel("a lattice fills the body, and leaves no room for a fluid; take the fluid out "
+                           "of it first, or keep it hollow");
+    const std::vector<Triangle> surface = simulatedSurface(*project.mesh, *project.network);
+    try {
+        for (const std::uint32_t part : parts)
+            cavityOf(project.network->restPositions, surface, part);
+    } catch (const InvalidModel& problem) {
+        throw InvalidModel("these nodes leave no room for the organ's fluid: " + std::string(problem.what()));
+    }
+}
+
 bool movesRigidly(const SpringNetwork& network) {
     return detailOf(network).kind == Detail::Kind::Rigid;
 }
@@ -220,8 +239,7 @@ Project withNetwork(const Project& project, std::shared_ptr<const SpringNetwork>
         changed.base.wallThickness = project.base.wallThickness;
         changed.base.resistsBending = project.base.resistsBending;
     }
-    // Refused here where the new nodes leave no room for the organ's fluids.
-    cavitiesOf(changed.scene, *changed.network, simulatedSurface(*changed.mesh, *changed.network));
+    requireRoomForFluids(changed);
     reportProgress(progress, 1);
     return changed;
 }

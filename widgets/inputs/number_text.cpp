@@ -1,5 +1,7 @@
 #include "widgets/inputs/number_text.h"
 
+#include "core/support/pressure_units.h"
+
 #include <QHash>
 #include <QRegularExpression>
 
@@ -40,6 +42,9 @@ std::optional<UnitSize> siUnitOf(const QString& unit) {
         {QStringLiteral("Pa"), {Quantity::Modulus, 1}},
         {QStringLiteral("kPa"), {Quantity::Modulus, 1e3}},
         {QStringLiteral("MPa"), {Quantity::Modulus, 1e6}},
+        {QStringLiteral("mmHg"), {Quantity::Modulus, pascalPerMillimetreOfMercury}},
+        {QStringLiteral("cmH2O"), {Quantity::Modulus, pascalPerCentimetreOfWater}},
+        {QStringLiteral("cmH₂O"), {Quantity::Modulus, pascalPerCentimetreOfWater}},
         {QStringLiteral("ms"), {Quantity::Time, 1e-3}},
         {QStringLiteral("s"), {Quantity::Time, 1}},
         {QStringLiteral("°"), {Quantity::Angle, 1}},

@@ -12,6 +12,8 @@ enum class EditKind {
     Stiffening,
     WallThickness,
     FixedNodes,
+    FluidStiffness,
+    FluidPressure,
     // A region.
     HeldValue,
     Input,

@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/fuzzy/fuzzy_workbench.h"
 #include "app/editor/panels/measure/accuracy_panel.h"
+#include "app/editor/panels/organ/fluid_panel.h"
 #include "app/editor/panels/organ/model_panel.h"
 #include "app/editor/panels/texture/atlas_panel.h"
 #include "app/editor/panels/texture/landmarks_panel.h"
@@ -38,8 +39,9 @@ void addTissue(Workspaces& workspaces, const ColumnContext& c) {
         Workspace::Tissue,
         {Workspaces::tr("Organ"),
          {new ModelPanel(c.document, c.preview), regions, new EllipsoidPanel(c.document, c.selection)}},
-        {{Workspaces::tr("Tissue"),
-          underOptions(c, ToolWorkspace::Tissue, {new TissuePanel(c.document, c.selection, *reach)})},
+        {{Workspaces::tr("Tissue"), underOptions(c, ToolWorkspace::Tissue,
+                                                 {new TissuePanel(c.document, c.selection, *reach),
+                                                  new FluidPanel(c.document, c.preview)})},
          {Workspaces::tr("Fuzzy system"), {workbench}}});
 }
 

@@ -2,6 +2,7 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/fluid_question.h"
 #include "app/editor/dialogs/inside_dialog.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/split_question.h"
@@ -11,6 +12,7 @@
 #include "app/editor/window/actions.h"
 #include "app/editor/window/shortcuts.h"
 #include "core/authoring/even_sheet.h"
+#include "core/authoring/fluids.h"
 #include "core/authoring/layers.h"
 #include "core/authoring/regions.h"
 #include "core/model/gentle_pull.h"
@@ -166,10 +168,12 @@ void EditController::chooseInside() {
     const Detail now = detailOf(*m_document.project().network), chosen = dialog.detail();
     const bool isAnother = chosen.kind != now.kind || chosen.filling != now.filling;
     if (answer != QDialog::Accepted || !isAnother) return;
-    if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
+    const Scene& scene = m_document.project().scene;
+    if (!mayRemoveSplits(m_window, scene) || !mayRemoveFluids(m_window, scene, chosen)) return;
     const auto made = dialog.network();
     simulate(
-        [made, chosen](const Project& project, const Progress& progress) {
+        [made, chosen](Project project, const Progress& progress) {
+            if (chosen.kind == Detail::Kind::Filled) removeFluids(project.scene);
             return made ? withNetwork(project, made, progress) : withDetail(project, chosen, progress);
         },
         tr("Making the inside"), tr("Choose the inside"));

@@ -3,6 +3,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -18,6 +20,9 @@ QStringList happenings(const Scene& scene) {
     if (scene.instruments.size() == 1) said << SceneNoteTexts::tr("An instrument follows a path.");
     if (scene.instruments.size() > 1)
         said << SceneNoteTexts::tr("%1 instruments follow paths.").arg(scene.instruments.size());
+    const auto changes = [](const PartPressure& pressure) { return !isConstant(pressure); };
+    if (std::any_of(scene.pressures.begin(), scene.pressures.end(), changes))
+        said << SceneNoteTexts::tr("At set times, pressures from within change.");
     if (!scene.splits.empty()) said << SceneNoteTexts::tr("At set times, the organ is split along edges.");
     return said;
 }

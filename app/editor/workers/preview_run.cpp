@@ -124,8 +124,12 @@ Loads PreviewRun::sceneLoads() const {
     const double now = m_simulation->time();
     if (m_playsScene)
         return loadsDuring(m_scene, m_network->restPositions, now, now + m_simulation->timeStep());
+    // What is there from the beginning on belongs to the organ, whether or not its scene plays.
     Loads loads;
     loads.gravity = m_scene.gravity;
+    for (const PartPressure& pressure : m_scene.pressures)
+        if (isConstant(pressure))
+            loads.pressures.push_back({pressure.part, pressureAt(pressure, now), pressureAt(pressure, now)});
     return loads;
 }
 
@@ -251,6 +255,18 @@ std::optional<FeltTissue> PreviewRun::feltInstrument() const {
     return FeltTissue{*force, displacementAt(*m_heldInstrument, m_network->restPositions, positions())};
 }
 
+std::vector<PartNow> PreviewRun::fluidsNow() const {
+    const std::vector<SpringSystem::Filled>& cavities = m_simulation->system().cavities;
+    std::vector<PartNow> parts;
+    if (cavities.empty()) return parts;
+    const std::vector<double> volumes = volumesOf(m_simulation->system(), positions());
+    const Loads loads = sceneLoads();
+    for (std::size_t i = 0; i < cavities.size(); ++i)
+        parts.push_back({cavities[i].part, volumes[i], volumes[i] / cavities[i].restVolume,
+                         ownPressure(cavities[i], volumes[i]) + pressureOfLoads(loads, cavities[i], 0)});
+    return parts;
+}
+
 bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     if (loads.pull && loads.pull->node >= m_network->restPositions.size()) return true;
     if (m_playsScene && isSceneOver()) leaveScene();
@@ -313,6 +329,7 @@ PreviewStatus PreviewRun::status() const {
     if (m_simulation) {
         status.integrator = m_simulation->integrator();
         status.timeStep = m_simulation->timeStep();
+        status.fluids = fluidsNow();
     }
     status.halvings = m_halvings;
     status.replaced = m_replaced;

@@ -68,6 +68,7 @@ private:
     void measureForces(const Eigen::Vector3d& impulse, double simulated);
     std::optional<FeltTissue> feltPull() const;
     std::optional<FeltTissue> feltInstrument() const;
+    std::vector<PartNow> fluidsNow() const;
 
     std::shared_ptr<const TissueModel> m_model;     ///< what runs; null before the first
     std::shared_ptr<const SpringNetwork> m_network; ///< of what runs, or cannot

@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview.h"
 #include "app/editor/workers/preview_loads.h"
+#include "core/authoring/fluids.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/solid_surfaces.h"
@@ -19,14 +20,15 @@ class SimulatedNodesTest : public EditorTest {
 protected:
     void SetUp() override { open(makeSample("tube")); }
 
+    static void answer(QDialog& dialog, QMessageBox::ButtonRole role) {
+        auto& box = *qobject_cast<QMessageBox*>(&dialog);
+        for (QAbstractButton* button : box.buttons())
+            if (box.buttonRole(button) == role) return button->click();
+        FAIL();
+    }
     void chooseAndAnswer(QMessageBox::ButtonRole role) {
         choose(60, [&] {
-            script.expectNamed("splitsGoBox", [role](QDialog* dialog) {
-                auto* box = qobject_cast<QMessageBox*>(dialog);
-                for (QAbstractButton* button : box->buttons())
-                    if (box->buttonRole(button) == role) return button->click();
-                FAIL();
-            });
+            script.expectNamed("splitsGoBox", [role](QDialog* dialog) { answer(*dialog, role); });
         });
         EXPECT_TRUE(script.isDone());
     }
@@ -131,6 +133,29 @@ TEST_F(SimulatedNodesTest, FillABodyAndCanBeTakenBack) {
     window->document().undoStack()->undo();
     EXPECT_EQ(project().network->restPositions.size(), hollow);
     EXPECT_FALSE(project().network->lattice);
+}
+
+TEST_F(SimulatedNodesTest, AskBeforeALatticeTakesTheRoomOfAFluid) {
+    Project ball = makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}});
+    fillPart(ball, 0, 1e5);
+    open(ball);
+    const auto fillBodyAndAnswer = [&](QMessageBox::ButtonRole role) {
+        script.expectNamed("insideDialog", [](QDialog* dialog) {
+            auto* fill = dialog->findChild<QPushButton*>("insideAccept");
+            ESM_EVENTUALLY(fill->isEnabled());
+            fill->click();
+        });
+        script.expectNamed("fluidsGoBox", [role](QDialog* dialog) { answer(*dialog, role); });
+        window->windowActions().chooseInside->trigger();
+        EXPECT_TRUE(script.isDone());
+    };
+    fillBodyAndAnswer(QMessageBox::RejectRole);
+    EXPECT_EQ(window->document().undoStack()->count(), 0);
+    fillBodyAndAnswer(QMessageBox::AcceptRole);
+    EXPECT_TRUE(project().network->lattice);
+    EXPECT_TRUE(project().scene.fillings.empty());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().scene, ball.scene);
 }
 
 TEST_F(SimulatedNodesTest, MakeAnEvenSheetAndCanBeTakenBack) {

@@ -34,6 +34,14 @@ TEST(SceneNote, NamesAllThatHappensAtSetTimes) {
     EXPECT_TRUE(explains(scene, "{playScene}"));
 }
 
+TEST(SceneNote, TellsOfPressuresThatChangeAndNotOfThoseThatStand) {
+    Scene scene;
+    scene.pressures = {{0, {{0, 1000}}}};
+    EXPECT_TRUE(sceneNote(scene).title.isEmpty());
+    scene.pressures.push_back({1, {{0, 0}, {1, 1000}}});
+    EXPECT_TRUE(explains(scene, "pressures from within change"));
+}
+
 TEST(SceneNote, DoesNotPromiseToPlaySplits) {
     Scene scene;
     scene.splits.push_back({});

@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview_run.h"
 
+#include "core/authoring/fluids.h"
 #include "core/render/drawn_shape.h"
 #include "tests/app/editor/workers/preview_projects.h"
 
@@ -266,4 +267,91 @@ TEST(PreviewRun, ShortensStepsThatAreTooLongToBeWatched) {
     tube.stepping.reset();
     ASSERT_TRUE(run.take(prepareProject(tube)));
     EXPECT_FALSE(run.status().isShortened);
+}
+
+namespace {
+
+Project filledLiver(double stiffness) {
+    Project liver = makeSample("liver");
+    fillPart(liver, 0, stiffness);
+    return liver;
+}
+
+/// The share of its volume at rest to which a liver is pressed by an instrument, in turn the smallest.
+double leastShareWhilePressed(PreviewRun& run) {
+    const Eigen::AlignedBox3d box = boundingBox(run.positions());
+    double least = 1;
+    PreviewLoads loads;
+    for (int frame = 0; frame < 60; ++frame) {
+        const double depth = 0.01 * frame / 60;
+        loads.instrument = sphereAt({box.center().x(), box.center().y(), box.max().z() + 0.03 - depth}, 0.03);
+        EXPECT_TRUE(run.advance(1.0 / 60, loads)) << run.status().failure;
+        const PreviewStatus status = run.status();
+        if (!status.fluids.empty()) least = std::min(least, status.fluids.front().share);
+    }
+    EXPECT_TRUE(run.status().instrument) << "it touches the organ";
+    return least;
+}
+
+double volumeOf(const PreviewRun& run, const Project& project) {
+    return enclosedVolume({run.positions(), simulatedSurface(*project.mesh, *project.network)});
+}
+
+} // namespace
+
+TEST(PreviewRun, KeepsTheVolumeOfWhatIsFilledWhileItIsPressed) {
+    const Project dry = makeSample("liver");
+    const double volume = fillableParts(*dry.mesh, *dry.network).front().volume;
+    const Project filled = filledLiver(usualFluidStiffness(dry.base.springConstant, volume));
+    PreviewRun run;
+    ASSERT_TRUE(run.take(prepareProject(filled)));
+    EXPECT_GT(leastShareWhilePressed(run), 0.999);
+    const PartNow now = run.status().fluids.at(0);
+    EXPECT_EQ(now.part, 0U);
+    EXPECT_NEAR(now.volume, volumeOf(run, filled), 1e-9 * volume);
+    EXPECT_NEAR(now.share, now.volume / volume, 1e-9);
+    EXPECT_NEAR(now.pressure, filled.scene.fillings[0].stiffness * (1 - now.share), 1e-6);
+    EXPECT_GT(now.pressure, 0);
+    ASSERT_TRUE(run.take(prepareProject(dry))) << "the same organ goes on without it";
+    EXPECT_TRUE(run.status().fluids.empty());
+    leastShareWhilePressed(run);
+    EXPECT_LT(volumeOf(run, dry), 0.998 * volume);
+}
+
+TEST(PreviewRun, PressesFromWithinByWhatIsThereFromTheBeginning) {
+    Project liver = makeSample("liver");
+    pressPart(liver, 0, 20);
+    PreviewRun run;
+    ASSERT_TRUE(run.take(prepareProject(liver)));
+    for (int frame = 0; frame < 30; ++frame)
+        ASSERT_TRUE(run.advance(1.0 / 60, {}));
+    EXPECT_GT(run.status().fluids.at(0).share, 1.001);
+    EXPECT_DOUBLE_EQ(run.status().fluids.at(0).pressure, 20);
+
+    liver.scene.pressures = {{0, {{0, 0}, {1, 20}}}};
+    ASSERT_TRUE(run.take(prepareProject(liver)));
+    run.reset();
+    for (int frame = 0; frame < 30; ++frame)
+        ASSERT_TRUE(run.advance(1.0 / 60, {}));
+    EXPECT_EQ(run.status().fluids.at(0).pressure, 0) << "a path is the scene's, which does not play";
+    run.beginScene();
+    for (int frame = 0; frame < 30; ++frame)
+        run.advance(1.0 / 60, {});
+    EXPECT_GT(run.status().fluids.at(0).pressure, 0);
+}
+
+TEST(PreviewRun, StopsWithAWordWhereAPressureBurstsTheOrgan) {
+    Project liver = makeSample("liver");
+    liver.scene.tethers.clear(); // which would bear a part of it
+    pressPart(liver, 0, 1e5);
+    PreviewRun run;
+    ASSERT_TRUE(run.take(prepareProject(liver)));
+    for (int frame = 0; frame < 2000 && run.isReady(); ++frame)
+        run.advance(1.0 / 60, {});
+    EXPECT_FALSE(run.isReady());
+    EXPECT_NE(run.status().failure.find("bursts part 0"), std::string::npos) << run.status().failure;
+    pressPart(liver, 0, 0);
+    EXPECT_TRUE(run.take(prepareProject(liver)));
+    run.reset();
+    EXPECT_TRUE(run.advance(1.0 / 60, {}));
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "app/editor/workers/latest_worker.h"
+#include "core/authoring/fluids.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace esm {
+
+/// Finds the parts of an organ's surface that fluid could fill, beside the window: of a large one every edge
+/// is looked at.
+class PartFinder : public QObject {
+    Q_OBJECT
+
+public:
+    /// An organ's surface and what carries it. None is null.
+    struct Surface {
+        std::shared_ptr<const TriangleMesh> mesh;
+        std::shared_ptr<const SpringNetwork> network;
+
+        bool operator==(const Surface&) const = default;
+    };
+
+    explicit PartFinder(QObject* parent = nullptr);
+
+    void find(const Surface& surface) { m_worker.ask(surface); }
+    /// While it works, and before it was asked, none.
+    std::vector<FillablePart> parts() const;
+    bool isWorking() const { return m_worker.isWorking(); }
+
+signals:
+    void found();
+
+private:
+    LatestWorker<Surface, std::vector<FillablePart>> m_worker;
+};
+
+} // namespace esm
