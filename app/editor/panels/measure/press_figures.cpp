@@ -9,7 +9,6 @@ namespace esm {
 namespace {
 
 constexpr int figureDigits = 3;
-constexpr int figureWidth = 52; // pixels, of "0.00385"
 
 QLabel* quietLabel(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -40,9 +39,9 @@ PressFigures::PressFigures(QWidget* parent) : QWidget(parent), m_grid(new QGridL
     addRow(tr("Stiffness at the end, N/mm"), QStringLiteral("stiffnessAtEnd"),
            tr("How steeply the force rises at the full depth"),
            [](const ProbeResult& result) { return result.stiffness / 1000; });
-    addRow(tr("Young's modulus of an even solid, kPa"), QStringLiteral("equivalentModulus"),
-           tr("Of one that is wide and deep beside the finger and would resist as much. Of a hollow organ it "
-              "says how firm it feels, not how firm its wall is"),
+    addRow(tr("Modulus of an even solid, kPa"), QStringLiteral("equivalentModulus"),
+           tr("Young's modulus of one that is wide and deep beside the finger and would resist as much. Of a "
+              "hollow organ it says how firm it feels, not how firm its wall is"),
            [](const ProbeResult& result) { return result.youngsModulus / 1000; });
     setResults(nullptr, nullptr);
 }
@@ -52,7 +51,7 @@ QLabel* PressFigures::addValue(int row, int column, const QString& name) {
     value->setObjectName(name);
     value->setProperty(column == 1 ? "value" : "quiet", true);
     value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    value->setMinimumWidth(figureWidth);
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance(QStringLiteral("−0.00524")));
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_grid->addWidget(value, row, column);
     return value;
