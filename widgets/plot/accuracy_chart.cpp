@@ -2,16 +2,11 @@
 
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
 #include <QToolTip>
 
-#include <qwt_plot_canvas.h>
 #include <qwt_plot_curve.h>
-#include <qwt_plot_grid.h>
 #include <qwt_plot_marker.h>
-#include <qwt_scale_draw.h>
 #include <qwt_scale_engine.h>
-#include <qwt_scale_widget.h>
 #include <qwt_symbol.h>
 
 #include <algorithm>
@@ -21,14 +16,7 @@ namespace esm {
 
 namespace {
 
-constexpr int reach = 12;     ///< pixels, of the mouse
-constexpr int mostLabels = 8; ///< of a scale
-
-/// "1000" rather than "1e+03", and no more digits than a power of ten needs.
-class PlainScale : public QwtScaleDraw {
-public:
-    QwtText label(double value) const override { return QwtText(QString::number(value, 'g', 6)); }
-};
+constexpr int reach = 12; ///< pixels, of the mouse
 
 QwtPlotCurve* addCurve(QwtPlot& plot, double height) {
     auto* curve = new QwtPlotCurve;
@@ -56,29 +44,18 @@ std::pair<double, double> decadesAround(double lowest, double highest) {
 } // namespace
 
 AccuracyChart::AccuracyChart(QWidget* parent)
-    : QwtPlot(parent), m_others(addCurve(*this, 2)), m_front(addCurve(*this, 3)),
+    : PlainPlot(parent), m_others(addCurve(*this, 2)), m_front(addCurve(*this, 3)),
       m_chosenMark(addCurve(*this, 6)), m_markedMark(addCurve(*this, 5)), m_pointedMark(addCurve(*this, 4)),
       m_realTime(addLine(*this, QwtPlotMarker::VLine)), m_mostError(addLine(*this, QwtPlotMarker::HLine)) {
-    auto* grid = new QwtPlotGrid;
-    grid->attach(this);
-    for (const int axis : {int(xBottom), int(yLeft)}) {
+    for (const int axis : {int(xBottom), int(yLeft)})
         setAxisScaleEngine(axis, new QwtLogScaleEngine);
-        setAxisScaleDraw(axis, new PlainScale);
-        setAxisMaxMinor(axis, 0);
-        axisWidget(axis)->setMargin(0);
-    }
     m_front->setStyle(QwtPlotCurve::Lines);
     m_realTime->setXValue(1);
-    auto* frame = qobject_cast<QwtPlotCanvas*>(canvas());
-    frame->setFrameStyle(QFrame::NoFrame);
-    frame->setFocusPolicy(Qt::NoFocus);
-    frame->setMouseTracking(true);
-    frame->installEventFilter(this);
-    frame->setCursor(Qt::ArrowCursor);
-    setFocusPolicy(Qt::StrongFocus);
+    canvas()->installEventFilter(this);
     setAccessibleName(tr("Error over speed"));
     setToolTip(tr("A click marks a point, as the arrow keys do; a double click or Enter uses it"));
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    setCaption(xBottom, tr("speed, times real time"), tr("speed, times real time"));
+    setCaption(yLeft, tr("error, % of the motion"), tr("error, %"));
     followTheme();
     drawScales();
 }
@@ -144,11 +121,6 @@ void AccuracyChart::ring(QwtPlotCurve* mark, std::optional<std::size_t> point) {
     replot();
 }
 
-void AccuracyChart::setEmptyText(const QString& text) {
-    m_emptyText = text;
-    replot();
-}
-
 void AccuracyChart::setMostError(double error) {
     m_mostError->setYValue(100 * error);
     drawScales();
@@ -204,7 +176,7 @@ void AccuracyChart::followMouse(QEvent* event) {
 }
 
 bool AccuracyChart::eventFilter(QObject* watched, QEvent* event) {
-    if (watched != canvas()) return QwtPlot::eventFilter(watched, event);
+    if (watched != canvas()) return PlainPlot::eventFilter(watched, event);
     switch (event->type()) {
     case QEvent::MouseMove:
     case QEvent::MouseButtonPress:
@@ -217,7 +189,7 @@ bool AccuracyChart::eventFilter(QObject* watched, QEvent* event) {
     default:
         break;
     }
-    return QwtPlot::eventFilter(watched, event);
+    return PlainPlot::eventFilter(watched, event);
 }
 
 void AccuracyChart::stepThrough(int direction) {
@@ -239,40 +211,23 @@ void AccuracyChart::keyPressEvent(QKeyEvent* event) {
     else if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_marked)
         emit chosen(*m_marked);
     else
-        QwtPlot::keyPressEvent(event);
+        PlainPlot::keyPressEvent(event);
 }
 
 void AccuracyChart::focusInEvent(QFocusEvent* event) {
-    QwtPlot::focusInEvent(event);
+    PlainPlot::focusInEvent(event);
     if (event->reason() != Qt::MouseFocusReason && !m_marked) stepThrough(1);
 }
 
 void AccuracyChart::focusOutEvent(QFocusEvent* event) {
-    QwtPlot::focusOutEvent(event);
+    PlainPlot::focusOutEvent(event);
     point(std::nullopt);
-}
-
-bool AccuracyChart::event(QEvent* event) {
-    const bool taken = QwtPlot::event(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::StyleChange) followTheme();
-    return taken;
-}
-
-// A style sheet that changes gives the canvas back the palette that it had first: it cannot hold the colour.
-void AccuracyChart::drawCanvas(QPainter* painter) {
-    painter->fillRect(canvas()->contentsRect(), palette().color(QPalette::Base));
-    QwtPlot::drawCanvas(painter);
-    if (!m_bySpeed.empty()) return;
-    painter->setPen(palette().color(QPalette::PlaceholderText));
-    painter->drawText(canvas()->contentsRect().adjusted(24, 12, -24, -12), Qt::AlignCenter | Qt::TextWordWrap,
-                      m_emptyText);
 }
 
 void AccuracyChart::followTheme() {
     const QPalette colours = palette();
-    const QColor &quiet = colours.color(QPalette::PlaceholderText), &line = colours.color(QPalette::Mid),
-                 &bright = colours.color(QPalette::Link), &text = colours.color(QPalette::WindowText),
-                 &wish = colours.color(QPalette::LinkVisited);
+    const QColor &quiet = colours.color(QPalette::PlaceholderText), &bright = colours.color(QPalette::Link),
+                 &text = colours.color(QPalette::WindowText), &wish = colours.color(QPalette::LinkVisited);
     const auto dot = [](QwtSymbol::Style style, const QBrush& brush, const QPen& pen, int size) {
         return new QwtSymbol(style, brush, pen, {size, size});
     };
@@ -284,43 +239,7 @@ void AccuracyChart::followTheme() {
     m_pointedMark->setSymbol(dot(QwtSymbol::Ellipse, Qt::NoBrush, QPen(bright, 1.5), 17));
     m_realTime->setLinePen(wish, 1, Qt::DashLine);
     m_mostError->setLinePen(wish, 1, Qt::DashLine);
-    for (QwtPlotItem* item : itemList(QwtPlotItem::Rtti_PlotGrid))
-        static_cast<QwtPlotGrid*>(item)->setPen(line, 0, Qt::DotLine);
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * 0.85);
-    for (const int axis : {int(xBottom), int(yLeft)}) {
-        setAxisFont(axis, small);
-        QPalette scale = axisWidget(axis)->palette();
-        scale.setColor(QPalette::WindowText, line);
-        scale.setColor(QPalette::Text, quiet);
-        axisWidget(axis)->setPalette(scale);
-    }
-    fitScales();
-    replot();
-}
-
-// As many numbers, and as much of a caption, as have room.
-void AccuracyChart::fitScales() {
-    const QFont small = axisFont(xBottom);
-    const QFontMetrics metrics(small);
-    const auto caption = [&](int axis, const QString& words) {
-        QwtText titled(words);
-        titled.setFont(small);
-        titled.setColor(palette().color(QPalette::PlaceholderText));
-        setAxisTitle(axis, titled);
-    };
-    const QString error = tr("error, % of the motion");
-    caption(xBottom, tr("speed, times real time"));
-    caption(yLeft, metrics.horizontalAdvance(error) < canvas()->height() ? error : tr("error, %"));
-    const int widest = metrics.horizontalAdvance(QStringLiteral("1000000"));
-    setAxisMaxMajor(xBottom, std::clamp(canvas()->width() / widest, 2, mostLabels));
-    setAxisMaxMajor(yLeft, std::clamp(canvas()->height() / (2 * metrics.height()), 2, mostLabels));
-}
-
-void AccuracyChart::resizeEvent(QResizeEvent* event) {
-    QwtPlot::resizeEvent(event);
-    fitScales();
-    replot();
+    PlainPlot::followTheme();
 }
 
 } // namespace esm

@@ -1,8 +1,6 @@
 #pragma once
 
-#include "widgets/inputs/spoken.h"
-
-#include <qwt_plot.h>
+#include "widgets/plot/plain_plot.h"
 
 #include <optional>
 #include <vector>
@@ -22,7 +20,7 @@ struct AccuracyPoint {
 /// Error over speed of many ways to compute the same motion, both logarithmic: the better, the further to the
 /// right and the lower. A click marks a point, as the arrow keys do from one speed to the next; a double
 /// click or Enter chooses it.
-class AccuracyChart : public QwtPlot, public Spoken {
+class AccuracyChart : public PlainPlot {
     Q_OBJECT
 
 public:
@@ -35,8 +33,6 @@ public:
     /// The point that is marked as the one in use.
     void setChosen(std::optional<std::size_t> point);
     void mark(std::optional<std::size_t> point);
-    /// What is said while there is no point.
-    void setEmptyText(const QString& text);
     /// The largest error that is wanted, a line; that of real time always stands.
     void setMostError(double error);
 
@@ -47,18 +43,15 @@ public:
 
     /// The point that is pointed at, else the marked one, else the one in use, else how many there are.
     QString spokenValue() const override;
-    QSize sizeHint() const override { return {300, 230}; }
-    QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say
 
 signals:
     void marked(std::size_t point);
     void chosen(std::size_t point);
 
 protected:
-    void drawCanvas(QPainter* painter) override;
-    bool event(QEvent* event) override;
+    bool isBlank() const override { return m_bySpeed.empty(); }
+    void followTheme() override;
     bool eventFilter(QObject* watched, QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -66,8 +59,6 @@ protected:
 private:
     bool isDrawn(std::size_t point) const;
     void drawScales();
-    void fitScales();
-    void followTheme();
     void followMouse(QEvent* event);
     void point(std::optional<std::size_t> point);
     void explain(std::size_t point);
@@ -77,7 +68,6 @@ private:
     std::vector<AccuracyPoint> m_points;
     std::vector<std::size_t> m_bySpeed; ///< those that are drawn
     std::optional<std::size_t> m_chosen, m_marked, m_pointed;
-    QString m_emptyText;
     QwtPlotCurve *m_others, *m_front, *m_chosenMark, *m_markedMark, *m_pointedMark;
     QwtPlotMarker *m_realTime, *m_mostError;
 };

@@ -4,6 +4,7 @@
 #include "app/editor/document/selection.h"
 #include "app/editor/tools/landmarking.h"
 #include "app/editor/workers/preview.h"
+#include "app/editor/workers/virtual_test.h"
 
 class QAction;
 
@@ -15,6 +16,7 @@ struct ToolContext {
     Selection& selection;
     Preview& preview;
     Landmarking& landmarking;
+    VirtualTest& virtualTest;
     const QAction& showRegions;   ///< checked while the regions' ellipsoids are drawn
     const QAction& showProjector; ///< the same of the selected photo's projector
 };

@@ -2,6 +2,7 @@
 
 #include "app/editor/tools/brush_tool.h"
 #include "app/editor/tools/distance_tool.h"
+#include "app/editor/tools/finger_tool.h"
 #include "app/editor/tools/fix_tool.h"
 #include "app/editor/tools/instrument_tool.h"
 #include "app/editor/tools/landmark_tool.h"
@@ -75,6 +76,10 @@ std::vector<ToolRow> toolTable() {
          translated("Drag over the organ to paint · [ and ] make the brush smaller and larger"),
          translated("the right button turns the view · Esc drops the stroke"), Workspace::Texture,
          Options::Column, made<BrushTool>},
+        {"finger", "finger", translated("&Finger"), Qt::Key_Q,
+         translated("Choose where the virtual test presses the organ"),
+         translated("Click the organ: there the finger of the virtual test presses"),
+         translated("a drag turns the view"), Workspace::Measure, Options::None, made<FingerTool>},
     };
 }
 

@@ -10,7 +10,7 @@
 namespace esm {
 
 /// Where a tool can be taken.
-enum class ToolWorkspace { Any, Tissue, Texture };
+enum class ToolWorkspace { Any, Tissue, Texture, Measure };
 
 /// Where a tool's options stand.
 enum class ToolOptions {

@@ -1,7 +1,6 @@
 #include "app/editor/window/columns.h"
 
 #include "app/editor/panels/fuzzy/fuzzy_workbench.h"
-#include "app/editor/panels/measure/accuracy_panel.h"
 #include "app/editor/panels/organ/fluid_panel.h"
 #include "app/editor/panels/organ/model_panel.h"
 #include "app/editor/panels/texture/atlas_panel.h"
@@ -82,8 +81,7 @@ void addTexture(Workspaces& workspaces, const ColumnContext& c) {
 void addColumns(Workspaces& workspaces, const ColumnContext& context) {
     addTissue(workspaces, context);
     addTexture(workspaces, context);
-    workspaces.add(Workspace::Measure,
-                   {Workspaces::tr("Measure"), {new AccuracyPanel(context.document, context.accuracy)}}, {});
+    workspaces.add(Workspace::Measure, {Workspaces::tr("Measure"), {&context.measure}}, {});
 }
 
 } // namespace esm

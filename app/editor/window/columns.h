@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/editor/edits/preparation_edits.h"
-#include "app/editor/panels/measure/speed_and_accuracy.h"
+#include "app/editor/panels/measure/measure_column.h"
 #include "app/editor/tools/landmarking.h"
 #include "app/editor/window/tool_controller.h"
 #include "app/editor/window/workspaces.h"
@@ -15,7 +15,7 @@ struct ColumnContext {
     PreparationEdits& preparations;
     Preview& preview;
     Landmarking& landmarking;
-    SpeedAndAccuracy& accuracy;
+    MeasureColumn& measure;
     ToolController& tools;
     const Actions& actions;
     std::function<void()> showLargePhoto;

@@ -3,8 +3,6 @@
 #include "app/editor/dialogs/screen_room.h"
 #include "app/editor/document/journal.h"
 #include "app/editor/edits/preparation_edits.h"
-#include "app/editor/panels/measure/accuracy_view.h"
-#include "app/editor/panels/measure/speed_and_accuracy.h"
 #include "app/editor/panels/texture/photo_dialog.h"
 #include "app/editor/window/camera_controls.h"
 #include "app/editor/window/columns.h"
@@ -15,6 +13,7 @@
 #include "app/editor/window/help.h"
 #include "app/editor/window/history_window.h"
 #include "app/editor/window/layout.h"
+#include "app/editor/window/measure_controller.h"
 #include "app/editor/window/peek_key.h"
 #include "app/editor/window/photo_controller.h"
 #include "app/editor/window/play_controller.h"
@@ -33,6 +32,7 @@
 #include "app/editor/window/view_controller.h"
 #include "app/editor/window/view_settings.h"
 #include "app/editor/workers/preview.h"
+#include "app/editor/workers/virtual_test.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/icon.h"
 
@@ -63,14 +63,16 @@ MainWindow::MainWindow(Project project)
       m_preparations(new PreparationEdits(*m_document, *m_selection)), m_preview(new Preview(this)),
       m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_landmarking(new Landmarking(*m_document, *m_selection, this)),
-      m_tools(new ToolController(*m_view, {*m_document, *m_selection, *m_preview, *m_landmarking,
-                                           *m_actions.showRegions, *m_actions.showProjector})),
+      m_virtualTest(new VirtualTest(*m_document, *m_preview, this)),
+      m_tools(
+          new ToolController(*m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_virtualTest,
+                                       *m_actions.showRegions, *m_actions.showProjector})),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
       m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);
     m_status = new StatusLine(*statusBar());
     m_slowMotion = new SlowMotion(*m_view, *m_document);
-    m_accuracy = new SpeedAndAccuracy(*m_document, *m_preview, this);
+    m_measure = new MeasureController(*m_document, *m_preview, *m_virtualTest, this);
     makeControllers();
     buildWindow();
     connectParts();
@@ -110,7 +112,7 @@ void MainWindow::buildWindow() {
     addToolBar(Qt::TopToolBarArea, new TopBar(m_actions, m_tools->makeOptions(ToolOptions::Bar), this));
     addToolBar(Qt::LeftToolBarArea, new ToolStrip(m_actions, this));
     addColumns(*m_workspaces, {*m_document, *m_selection, *m_preparations, *m_preview, *m_landmarking,
-                               *m_accuracy, *m_tools, m_actions, [this] { showLargePhoto(); }});
+                               m_measure->column(), *m_tools, m_actions, [this] { showLargePhoto(); }});
 }
 
 MainWindow::~MainWindow() {
@@ -124,12 +126,7 @@ MainWindow::~MainWindow() {
 std::vector<QWidget*> MainWindow::buildViews() {
     auto shown = m_tools->makeOptions(ToolOptions::Beside);
     shown.push_back(m_view);
-    auto* accuracy = new AccuracyView(*m_document, *m_accuracy);
-    accuracy->hide();
-    connect(m_workspaces, &Workspaces::shown, accuracy,
-            [accuracy](Workspace shown) { accuracy->setVisible(shown == Workspace::Measure); });
-    connect(accuracy, &AccuracyView::message, m_status, &StatusLine::showMessage);
-    return {beside(shown), accuracy};
+    return {beside(shown), &m_measure->charts()};
 }
 
 void MainWindow::showLargePhoto() {
@@ -150,6 +147,7 @@ void MainWindow::connectParts() {
     connect(bar, &ViewBar::cutChanged, m_viewController,
             [this, bar] { m_viewController->setCut(bar->cut()); });
     m_tools->connectActions(m_actions);
+    m_measure->connectParts(*m_workspaces, m_actions);
     m_files->connectActions(m_actions);
     m_photos->connectActions(m_actions);
     m_edits->connectActions(m_actions);
@@ -188,6 +186,7 @@ void MainWindow::followDocument(const Change& change) {
 void MainWindow::connectStatusLine() {
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_photos, &PhotoController::message, m_status, &StatusLine::showMessage);
+    connect(m_measure, &MeasureController::message, m_status, &StatusLine::showMessage);
     connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
     connect(m_shortcuts, &ShortcutController::message, m_status, &StatusLine::showMessage);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);

@@ -35,7 +35,8 @@ void ToolController::connectActions(const Actions& actions) {
     }
     actions.tool(QStringLiteral("pull"))->trigger();
     connect(actions.letGo, &QAction::triggered, &m_view, &OrganView::cancel);
-    connect(actions.texture, &QAction::toggled, this, &ToolController::updateTools);
+    for (const QAction* workspace : {actions.texture, actions.measure})
+        connect(workspace, &QAction::toggled, this, &ToolController::updateTools);
     connect(actions.showRegions, &QAction::toggled, this, &ToolController::updateTools);
     for (const QAction* shown : {actions.showProjector, actions.showBare})
         connect(shown, &QAction::toggled, this, &ToolController::updateHint);
@@ -45,8 +46,8 @@ void ToolController::connectActions(const Actions& actions) {
     connect(&m_view, &OrganView::toolChanged, this, &ToolController::makeRoom);
     connect(actions.addPhoto, &QAction::changed, this, &ToolController::updateHint);
     // Where their keys are said, others may have been chosen.
-    for (const QAction* said : {actions.tissue, actions.texture, actions.addRegion, actions.showRegions,
-                                actions.showProjector, actions.showBare, actions.frame})
+    for (const QAction* said : {actions.tissue, actions.texture, actions.measure, actions.addRegion,
+                                actions.showRegions, actions.showProjector, actions.showBare, actions.frame})
         connect(said, &QAction::changed, this, &ToolController::updateTools);
     updateTools();
 }
@@ -83,6 +84,9 @@ void ToolController::makeRoom() {
 
 QString ToolController::whyNot(const Tool& tool) const {
     const bool texture = m_actions.texture->isChecked();
+    if (tool.row.workspace == ToolWorkspace::Measure)
+        return m_actions.measure->isChecked() ? tool.tool->whyNot()
+                                              : tr("This tool belongs to the workspace Measure ({measure})");
     if (texture && tool.row.workspace == ToolWorkspace::Tissue)
         return tr("This tool belongs to the workspace Tissue ({tissue})");
     if (!texture && tool.row.workspace == ToolWorkspace::Texture)

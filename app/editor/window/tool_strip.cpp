@@ -11,7 +11,8 @@ namespace esm {
 
 namespace {
 
-constexpr int smallestSide = 24, usualSide = 34, stripWidth = 46; // pixels
+constexpr int smallestSide = 24, usualSide = 34, stripWidth = 46;    // pixels
+constexpr int usualIcon = 20, smallIcon = 16, sideOfSmallIcons = 28; // pixels; larger ones are cut
 
 } // namespace
 
@@ -20,7 +21,7 @@ ToolStrip::ToolStrip(const Actions& actions, QWidget* parent) : QToolBar(tr("Too
     setOrientation(Qt::Vertical);
     setMovable(false);
     setContextMenuPolicy(Qt::PreventContextMenu);
-    setIconSize({20, 20});
+    setIconSize({usualIcon, usualIcon});
     setFixedWidth(stripWidth);
     addTools(actions);
     // Its margins lie in the style sheet, which knows it by a name that it did not have when it was made.
@@ -58,6 +59,8 @@ void ToolStrip::resizeEvent(QResizeEvent* event) {
     const int side = std::clamp(room, smallestSide, usualSide);
     if (side != m_side) {
         m_side = side;
+        const int shown = side < sideOfSmallIcons ? smallIcon : usualIcon;
+        setIconSize({shown, shown});
         for (QToolButton* button : m_buttons)
             button->setFixedSize(side, side);
         layout()->activate();

@@ -1,9 +1,7 @@
 #include "app/editor/panels/measure/accuracy_view.h"
 
-#include "app/editor/dialogs/ask.h"
-#include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/save_dialog.h"
-#include "app/editor/document/file_memory.h"
+#include "app/editor/panels/measure/measurement_file.h"
 #include "app/editor/panels/measure/stepping_text.h"
 #include "core/exchange/charts/chart_file.h"
 #include "core/exchange/charts/measured_runs_csv.h"
@@ -154,10 +152,8 @@ void AccuracyView::use(std::optional<std::size_t> run) {
 
 void AccuracyView::write(const NewFile& asked, const QString& failure,
                          const std::function<void(const std::filesystem::path&)>& writing) {
-    const auto file = ask(*window(), [&] { return chooseNewFile(window(), asked); });
-    if (!file || !attempt(window(), failure, [&] { writing(*file); })) return;
-    rememberFolder(FileKind::Package, *file);
-    emit message(tr("%1 is written").arg(QString::fromStdString(file->filename().string())));
+    const QString written = writeMeasurement(window(), asked, failure, writing);
+    if (!written.isEmpty()) emit message(written);
 }
 
 void AccuracyView::exportTable() {

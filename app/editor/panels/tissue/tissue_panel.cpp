@@ -1,11 +1,11 @@
 #include "app/editor/panels/tissue/tissue_panel.h"
 
 #include "app/editor/edits/input_edits.h"
+#include "app/editor/edits/preset_in_force.h"
 #include "app/editor/edits/tissue_edits.h"
 #include "app/editor/panels/fuzzy/spare_systems_button.h"
 #include "app/editor/panels/tissue/tissue_preset_button.h"
 #include "core/authoring/regions.h"
-#include "core/exchange/project/tissue_preset_file.h"
 #include "widgets/fuzzy/small_font.h"
 #include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/number_text.h"
@@ -72,22 +72,6 @@ ElidedLabel* quietLine(const QString& name, QWidget* parent) {
 bool hasSlider(const FuzzySystem* system, Parameter parameter) {
     const auto output = system ? outputFor(*system, parameter) : std::nullopt;
     return output && !isInClinicalUnits(*system, *output);
-}
-
-/// The preset that the tissue was taken from, and that it still is; one with words before one without.
-std::optional<TissuePreset> presetInForce(const Project& project, const Region* region) {
-    static const std::vector<TissuePreset> presets = [] {
-        std::vector<TissuePreset> all;
-        for (const std::string& name : tissuePresetNames())
-            all.push_back(tissuePreset(name));
-        std::stable_partition(all.begin(), all.end(),
-                              [](const TissuePreset& p) { return p.system != nullptr; });
-        return all;
-    }();
-    const auto found = std::find_if(presets.begin(), presets.end(), [&](const TissuePreset& preset) {
-        return isAsPublished(project, region, preset);
-    });
-    return found == presets.end() ? std::nullopt : std::optional(*found);
 }
 
 } // namespace

@@ -27,7 +27,7 @@ protected:
 
     template<typename Tool> Tool& take() {
         auto* tool =
-            new Tool(ToolContext{document, selection, preview, landmarking,
+            new Tool(ToolContext{document, selection, preview, landmarking, virtualTest,
                                  *std::as_const(actions.showRegions), *std::as_const(actions.showProjector)});
         tool->setParent(&holder);
         view.setTool(*tool);
@@ -52,6 +52,7 @@ protected:
     Selection selection{document};
     Preview preview;
     Landmarking landmarking{document, selection};
+    VirtualTest virtualTest{document, preview};
     Actions actions = createActions(&holder, document.undoStack());
     ViewController& controller = *new ViewController(view, document, selection, preview);
 };

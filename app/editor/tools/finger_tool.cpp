@@ -1,0 +1,68 @@
+#include "app/editor/tools/finger_tool.h"
+
+#include "core/geometry/triangle_mesh.h"
+#include "widgets/view/overlay.h"
+
+#include <QRadialGradient>
+
+namespace esm {
+
+namespace {
+
+constexpr int solidity = 190, hiddenSolidity = 70; // of 255, of the ball
+
+/// Which way is out where the surface carries a place now; none without a surface.
+std::optional<Eigen::Vector3d> outwardAt(const Sight& sight, const CarriedPlace& place) {
+    std::vector<Eigen::Vector3d> corners;
+    for (int corner = 0; corner < 3; ++corner)
+        corners.push_back(sight.picker.carried(sight.scene, {place.corners, Eigen::Vector3d::Unit(corner)}));
+    const Eigen::Vector3d area = areaNormal(corners, {0, 1, 2});
+    return area.norm() > 0 ? std::optional<Eigen::Vector3d>(area.stableNormalized()) : std::nullopt;
+}
+
+/// Lit from the upper left, as the organ is.
+void paintBall(QPainter& painter, const QPointF& middle, double radius, QColor colour, int alpha) {
+    QRadialGradient shade(middle, radius, middle - QPointF(0.4, 0.4) * radius);
+    QColor light = colour.lighter(190), dark = colour.darker(150);
+    for (QColor* tint : {&light, &colour, &dark})
+        tint->setAlpha(alpha);
+    shade.setColorAt(0, light);
+    shade.setColorAt(0.6, colour);
+    shade.setColorAt(1, dark);
+    painter.setPen(QPen(QColor(0, 0, 0, alpha / 2), 1.2));
+    painter.setBrush(shade);
+    painter.drawEllipse(middle, radius, radius);
+}
+
+} // namespace
+
+FingerTool::FingerTool(const ToolContext& context) : m_test(context.virtualTest) {
+    connect(&m_test, &VirtualTest::changed, this, &FingerTool::changed);
+}
+
+void FingerTool::click(const ToolMouse& mouse) {
+    if (const auto picked = mouse.picked()) m_test.choosePlace(picked->carried);
+}
+
+/// As it first touches: its size tells what it will cover.
+void FingerTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
+    if (!m_test.place()) return;
+    const Eigen::Vector3d place = sight.picker.carried(sight.scene, *m_test.place());
+    const std::optional<Eigen::Vector3d> outward = outwardAt(sight, *m_test.place());
+    if (!outward) return;
+    const double radius = m_test.settings().radius;
+    const Eigen::Vector3d centre = place + radius * *outward;
+    const auto seen = sight.placeOf(centre);
+    if (!seen) return;
+    painter.save();
+    paintBall(painter, *seen, radius / sight.pixelAt(centre), palette.color(QPalette::Link),
+              sight.hides(centre) ? hiddenSolidity : solidity);
+    painter.restore();
+}
+
+QString FingerTool::hint() const {
+    if (!m_test.place()) return {};
+    return tr("At the left Press measures · click elsewhere to move the finger · a drag turns the view");
+}
+
+} // namespace esm

@@ -1,0 +1,44 @@
+#include "app/editor/window/measure_controller.h"
+
+#include "app/editor/panels/measure/accuracy_view.h"
+#include "app/editor/panels/measure/press_view.h"
+
+namespace esm {
+
+MeasureController::MeasureController(Document& document, Preview& preview, VirtualTest& test, QObject* parent)
+    : QObject(parent), m_actions(), m_charts(new QStackedWidget) {
+    auto* accuracy = new SpeedAndAccuracy(document, preview, this);
+    m_column = new MeasureColumn(document, *accuracy, test);
+    auto* runs = new AccuracyView(document, *accuracy);
+    auto* press = new PressView(document, test);
+    m_charts->addWidget(runs);
+    m_charts->addWidget(press);
+    m_charts->hide();
+    connect(runs, &AccuracyView::message, this, &MeasureController::message);
+    connect(press, &PressView::message, this, &MeasureController::message);
+}
+
+void MeasureController::connectParts(const Workspaces& workspaces, const Actions& actions) {
+    m_actions = actions;
+    QAction* finger = actions.tool(QStringLiteral("finger"));
+    m_column->testPanel().setPlaceAction(finger);
+    connect(&workspaces, &Workspaces::shown, m_charts,
+            [this](Workspace shown) { m_charts->setVisible(shown == Workspace::Measure); });
+    connect(m_column, &MeasureColumn::chosen, this, [this](MeasurePage page) {
+        m_charts->setCurrentIndex(static_cast<int>(page));
+        takeTool();
+    });
+    connect(actions.measure, &QAction::triggered, this, &MeasureController::takeTool);
+    connect(finger, &QAction::triggered, m_column, [this] { m_column->choose(MeasurePage::VirtualTest); });
+}
+
+/// The finger comes and goes with its page; any other tool in hand may stay.
+void MeasureController::takeTool() {
+    QAction* finger = m_actions.tool(QStringLiteral("finger"));
+    if (m_column->page() == MeasurePage::VirtualTest)
+        finger->trigger();
+    else if (finger->isChecked())
+        m_actions.tool(QStringLiteral("pull"))->trigger();
+}
+
+} // namespace esm

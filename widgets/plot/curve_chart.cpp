@@ -1,0 +1,187 @@
+#include "widgets/plot/curve_chart.h"
+
+#include "widgets/inputs/number_text.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <qwt_plot_curve.h>
+#include <qwt_symbol.h>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+constexpr int curveReach = 12;        ///< pixels, of the mouse
+constexpr double besideCurves = 0.04; ///< of a scale, so that no end is cut
+constexpr int valueDigits = 3;        ///< that anyone reads off a curve
+constexpr double emptyScale = 1.0;    ///< to which scales go that nothing is drawn on
+
+QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
+    auto* line = new QwtPlotCurve;
+    line->setRenderHint(QwtPlotItem::RenderAntialiased);
+    line->setZ(height);
+    line->attach(&plot);
+    return line;
+}
+
+} // namespace
+
+CurveChart::CurveChart(QWidget* parent) : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)) {
+    m_pointedMark->setStyle(QwtPlotCurve::NoCurve);
+    canvas()->installEventFilter(this);
+    followTheme();
+    drawScales();
+}
+
+void CurveChart::setAxes(const ChartAxis& x, const ChartAxis& y) {
+    m_x = x;
+    m_y = y;
+    const auto captionOf = [](const ChartAxis& axis) {
+        return axis.quantity + QStringLiteral(", ") + axis.unit;
+    };
+    setAccessibleName(tr("%1 over %2").arg(y.quantity, x.quantity));
+    setCaption(xBottom, captionOf(x), x.unit);
+    setCaption(yLeft, captionOf(y), y.unit);
+}
+
+void CurveChart::setCurves(std::vector<ChartCurve> curves) {
+    pointAt(std::nullopt);
+    for (QwtPlotCurve* line : m_lines)
+        delete line; // which detaches it
+    m_lines.clear();
+    m_curves = std::move(curves);
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        m_lines.push_back(addPressLine(*this, 50 - static_cast<double>(i)));
+        m_lines.back()->setSamples(m_curves[i].points);
+    }
+    followTheme();
+    drawScales();
+    tellSpoken(*this);
+}
+
+void CurveChart::drawScales() {
+    double right = 0, top = 0;
+    for (const ChartCurve& curve : m_curves)
+        for (const QPointF& point : curve.points) {
+            right = std::max(right, point.x());
+            top = std::max(top, point.y());
+        }
+    setAxisScale(xBottom, 0, right > 0 ? (1 + besideCurves) * right : emptyScale);
+    setAxisScale(yLeft, 0, top > 0 ? (1 + besideCurves) * top : emptyScale);
+    replot();
+}
+
+QColor CurveChart::colourOf(std::size_t curve) const {
+    return palette().color(curve == 0 ? QPalette::Link : QPalette::PlaceholderText);
+}
+
+void CurveChart::followTheme() {
+    for (std::size_t i = 0; i < m_lines.size(); ++i) {
+        const QColor colour = colourOf(i);
+        m_lines[i]->setPen(colour, i == 0 ? 2 : 1.4, i == 0 ? Qt::SolidLine : Qt::DashLine);
+        m_lines[i]->setSymbol(
+            new QwtSymbol(QwtSymbol::Ellipse, colour, Qt::NoPen, i == 0 ? QSize(6, 6) : QSize(4, 4)));
+    }
+    m_pointedMark->setSymbol(
+        new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush, QPen(palette().color(QPalette::Link), 1.5), {15, 15}));
+    PlainPlot::followTheme();
+}
+
+/// Names stand at the top left, which rising curves leave free; one curve needs none.
+void CurveChart::drawCanvas(QPainter* painter) {
+    PlainPlot::drawCanvas(painter);
+    if (m_curves.size() < 2) return;
+    painter->setFont(axisFont(xBottom));
+    const int line = painter->fontMetrics().height() + 2;
+    int y = canvas()->contentsRect().top() + line;
+    for (std::size_t i = 0; i < m_curves.size(); ++i, y += line) {
+        painter->setPen(m_lines[i]->pen());
+        painter->drawLine(10, y - line / 3, 30, y - line / 3);
+        painter->setPen(palette().color(QPalette::WindowText));
+        painter->drawText(36, y, m_curves[i].name);
+    }
+}
+
+QPoint CurveChart::placeOf(std::size_t curve, int point) const {
+    const QPointF& value = m_curves[curve].points[point];
+    return {qRound(transform(xBottom, value.x())), qRound(transform(yLeft, value.y()))};
+}
+
+std::optional<CurveChart::Spot> CurveChart::spotAt(const QPoint& place) const {
+    std::optional<Spot> nearest;
+    int least = curveReach * curveReach;
+    for (std::size_t curve = 0; curve < m_curves.size(); ++curve)
+        for (int point = 0; point < m_curves[curve].points.size(); ++point) {
+            const QPoint away = placeOf(curve, point) - place;
+            const int squared = QPoint::dotProduct(away, away);
+            if (squared >= least) continue;
+            least = squared;
+            nearest = Spot{curve, point};
+        }
+    return nearest;
+}
+
+void CurveChart::pointAt(const std::optional<Spot>& spot) {
+    if (spot == m_pointed) return;
+    m_pointed = spot;
+    m_pointedMark->setSamples(spot ? QVector<QPointF>{m_curves[spot->curve].points[spot->point]}
+                                   : QVector<QPointF>());
+    replot();
+    if (spot)
+        QToolTip::showText(canvas()->mapToGlobal(placeOf(spot->curve, spot->point) + QPoint(8, 8)),
+                           textOf(*spot), canvas());
+    else
+        QToolTip::hideText();
+    tellSpoken(*this);
+}
+
+QString CurveChart::textOf(const Spot& spot) const {
+    const QPointF& value = m_curves[spot.curve].points[spot.point];
+    const QString numbers = tr("%1: %2").arg(withUnit(value.x(), m_x.unit, valueDigits),
+                                             withUnit(value.y(), m_y.unit, valueDigits));
+    return m_curves.size() < 2 ? numbers : tr("%1, %2").arg(m_curves[spot.curve].name, numbers);
+}
+
+QString CurveChart::spokenValue() const {
+    if (m_pointed) return textOf(*m_pointed);
+    if (m_curves.empty()) return tr("nothing measured yet");
+    QStringList ends;
+    for (std::size_t curve = 0; curve < m_curves.size(); ++curve)
+        if (!m_curves[curve].points.empty()) ends << textOf({curve, m_curves[curve].points.size() - 1});
+    return ends.join(QStringLiteral("; "));
+}
+
+bool CurveChart::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == canvas()) {
+        if (event->type() == QEvent::MouseMove) pointAt(spotAt(static_cast<QMouseEvent*>(event)->pos()));
+        if (event->type() == QEvent::Leave) pointAt(std::nullopt);
+    }
+    return PlainPlot::eventFilter(watched, event);
+}
+
+void CurveChart::stepThrough(int direction) {
+    if (m_curves.empty() || m_curves.front().points.empty()) return;
+    const std::size_t curve = m_pointed ? m_pointed->curve : 0;
+    const int last = m_curves[curve].points.size() - 1;
+    const int from = m_pointed ? m_pointed->point + direction : direction > 0 ? 0 : last;
+    pointAt(Spot{curve, std::clamp(from, 0, last)});
+}
+
+void CurveChart::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+        stepThrough(event->key() == Qt::Key_Right ? 1 : -1);
+    else
+        PlainPlot::keyPressEvent(event);
+}
+
+void CurveChart::focusOutEvent(QFocusEvent* event) {
+    PlainPlot::focusOutEvent(event);
+    pointAt(std::nullopt);
+}
+
+} // namespace esm
