@@ -56,7 +56,7 @@ AccuracyChart::AccuracyChart(QWidget* parent)
     setToolTip(tr("A click marks a point, as the arrow keys do; a double click or Enter uses it"));
     setCaption(xBottom, tr("speed, times real time"), tr("speed, times real time"));
     setCaption(yLeft, tr("error, % of the motion"), tr("error, %"));
-    followTheme();
+    AccuracyChart::followTheme();
     drawScales();
 }
 

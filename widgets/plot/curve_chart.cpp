@@ -34,7 +34,7 @@ QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
 CurveChart::CurveChart(QWidget* parent) : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)) {
     m_pointedMark->setStyle(QwtPlotCurve::NoCurve);
     canvas()->installEventFilter(this);
-    followTheme();
+    CurveChart::followTheme();
     drawScales();
 }
 

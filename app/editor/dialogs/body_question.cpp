@@ -23,7 +23,7 @@ constexpr std::size_t suggestedNodes = 2000;
 constexpr double fewestSolidNodes = 100, mostSolidNodes = 1e5;
 /// The time of a step by `split2`, over that of a hollow organ that bends freely and has as many nodes
 /// (docs/performance.md).
-constexpr double workOfBending = 2, workOfSolid = 1.6;
+constexpr double workOfBending = 2, workOfSolid = 1.5;
 
 QLabel* quiet(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);

@@ -14,6 +14,7 @@ constexpr int solidity = 190, hiddenSolidity = 70; // of 255, of the ball
 /// Which way is out where the surface carries a place now; none without a surface.
 std::optional<Eigen::Vector3d> outwardAt(const Sight& sight, const CarriedPlace& place) {
     std::vector<Eigen::Vector3d> corners;
+    corners.reserve(3);
     for (int corner = 0; corner < 3; ++corner)
         corners.push_back(sight.picker.carried(sight.scene, {place.corners, Eigen::Vector3d::Unit(corner)}));
     const Eigen::Vector3d area = areaNormal(corners, {0, 1, 2});

@@ -14,7 +14,7 @@ namespace esm {
 
 namespace {
 
-constexpr int patience = 300;      // ms; most tests of small organs are over by then
+constexpr int unsaidTime = 300;    // ms; most tests of small organs are over by then
 constexpr int linesOfMessage = 4;  // that the core's sentences need
 constexpr int wholeProgress = 100; // of the bar
 
@@ -56,7 +56,7 @@ VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidge
     column->addWidget(met);
 
     m_patience.setSingleShot(true);
-    m_patience.setInterval(patience);
+    m_patience.setInterval(unsaidTime);
     connect(&m_patience, &QTimer::timeout, this, &VirtualTestPanel::showNews);
     connect(&m_test, &VirtualTest::changed, this, &VirtualTestPanel::refresh);
     refresh();

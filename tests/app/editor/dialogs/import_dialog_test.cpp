@@ -321,15 +321,15 @@ TEST(ImportDialog, AsksHowMuchIsSimulated) {
     ASSERT_NE(nodes, nullptr);
     EXPECT_TRUE(shown.text("importSuggestion").contains(countText(2000) + " nodes"))
         << shown.text("importSuggestion").toStdString();
-    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::EveryVertex);
+    EXPECT_EQ(shown.dialog.choice().body.detail.kind, Detail::Kind::EveryVertex);
     EXPECT_EQ(nodes->value(), vertices);
     EXPECT_FALSE(nodes->isEnabled());
     detail->setCurrentIndex(1);
     EXPECT_TRUE(nodes->isEnabled());
-    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::Nodes);
-    EXPECT_EQ(shown.dialog.choice().detail.nodes, 2000U);
+    EXPECT_EQ(shown.dialog.choice().body.detail.kind, Detail::Kind::Nodes);
+    EXPECT_EQ(shown.dialog.choice().body.detail.nodes, 2000U);
     detail->setCurrentIndex(2);
-    EXPECT_EQ(shown.dialog.choice().detail.kind, Detail::Kind::Rigid);
+    EXPECT_EQ(shown.dialog.choice().body.detail.kind, Detail::Kind::Rigid);
     EXPECT_EQ(nodes->value(), 8);
     EXPECT_FALSE(nodes->isEnabled());
     EXPECT_TRUE(Shown(test::cubeSoup(100)).text("importSuggestion").contains("every vertex"));

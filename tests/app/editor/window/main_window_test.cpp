@@ -7,7 +7,9 @@
 #include "tests/app/editor_driver.h"
 
 #include <gmock/gmock.h>
+#include <QDockWidget>
 #include <QFile>
+#include <QLabel>
 #include <QMenuBar>
 
 #include <algorithm>

@@ -1,0 +1,78 @@
+#include "app/editor/dialogs/body_question.h"
+
+#include <gtest/gtest.h>
+#include <QComboBox>
+#include <QLabel>
+#include <QRadioButton>
+
+using namespace esm;
+
+namespace {
+
+struct AskedBody {
+    explicit AskedBody(std::size_t vertices = 10000, bool isClosed = true) {
+        question.setSurface(vertices, isClosed);
+    }
+    void choose(int body) {
+        question.findChild<QRadioButton*>(QStringLiteral("importBody%1").arg(body))->click();
+    }
+    QString work(int body) const {
+        return question.findChild<QLabel*>(QStringLiteral("importWork%1").arg(body))->text();
+    }
+    QComboBox* detail() const { return question.findChild<QComboBox*>(QStringLiteral("importDetail")); }
+    NumberField* nodes() const { return question.findChild<NumberField*>(); }
+
+    BodyQuestion question;
+};
+
+constexpr int hollow = 0, walled = 1, solid = 2;
+
+} // namespace
+
+TEST(BodyQuestion, IsHollowAndBendsFreelyUnlessAskedFor) {
+    AskedBody asked;
+    EXPECT_EQ(asked.question.choice().detail.kind, Detail::Kind::EveryVertex);
+    EXPECT_FALSE(asked.question.choice().resistsBending);
+    asked.choose(walled);
+    EXPECT_EQ(asked.question.choice().detail.kind, Detail::Kind::EveryVertex);
+    EXPECT_TRUE(asked.question.choice().resistsBending);
+    asked.detail()->setCurrentIndex(2);
+    EXPECT_FALSE(asked.question.choice().resistsBending) << "one stiff piece does not bend";
+    asked.detail()->setCurrentIndex(0);
+    asked.choose(hollow);
+    EXPECT_FALSE(asked.question.choice().resistsBending);
+}
+
+TEST(BodyQuestion, AsksHowManyNodesFillASolidBody) {
+    AskedBody asked;
+    asked.choose(solid);
+    EXPECT_EQ(asked.question.choice().detail.kind, Detail::Kind::Filled);
+    EXPECT_EQ(asked.question.choice().detail.nodes, 3000U);
+    EXPECT_FALSE(asked.detail()->isEnabled());
+    EXPECT_FALSE(asked.detail()->toolTip().isEmpty());
+    asked.nodes()->setValue(800);
+    emit asked.nodes()->valueEdited(800);
+    asked.choose(hollow);
+    EXPECT_EQ(asked.nodes()->value(), 10000);
+    asked.choose(solid);
+    EXPECT_EQ(asked.question.choice().detail.nodes, 800U) << "as asked for before";
+}
+
+TEST(BodyQuestion, SaysWhatEachCostsBesideTheOthers) {
+    AskedBody asked(12000);
+    EXPECT_EQ(asked.work(hollow), "1 ×");
+    EXPECT_EQ(asked.work(walled), "about 2 ×");
+    EXPECT_EQ(asked.work(solid), "about 0.4 ×") << "3000 nodes instead of 12 000";
+    asked.detail()->setCurrentIndex(1);
+    EXPECT_EQ(asked.work(solid), "about 2 ×") << "3000 nodes instead of 2000";
+}
+
+TEST(BodyQuestion, DoesNotFillWhatIsOpen) {
+    AskedBody asked(10000, false);
+    EXPECT_TRUE(asked.question.refusal().isEmpty());
+    asked.choose(solid);
+    EXPECT_TRUE(asked.question.refusal().contains("open"));
+    asked.question.setSurface(10000, true);
+    EXPECT_TRUE(asked.question.refusal().isEmpty()) << "it was closed";
+    EXPECT_EQ(asked.question.choice().detail.kind, Detail::Kind::Filled) << "and the answer stays";
+}
