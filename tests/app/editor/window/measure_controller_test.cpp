@@ -1,4 +1,5 @@
 #include "app/editor/panels/measure/measure_column.h"
+#include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 
@@ -9,7 +10,7 @@ namespace {
 class MeasureControllerTest : public EditorTest {
 protected:
     void SetUp() override {
-        open(makeSample("liver"));
+        open(withDetail(makeSample("liver"), {Detail::Kind::Nodes, 500}));
         window->windowActions().measure->trigger();
     }
     QTabBar& pages() { return *child<QTabBar>("measurePages"); }
