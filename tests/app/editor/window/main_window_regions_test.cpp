@@ -4,6 +4,7 @@
 #include "widgets/inputs/vector_field.h"
 #include "widgets/view/region_handles.h"
 
+#include <QLabel>
 #include <QListWidget>
 
 #include <cmath>

@@ -9,6 +9,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
 #include <QToolBar>
 
