@@ -29,12 +29,6 @@ TriangleMesh wallOf(const std::vector<Eigen::Vector3d>& places, std::vector<Tria
     return wall;
 }
 
-template<typename OfPart> const OfPart* entryOf(const std::vector<OfPart>& entries, std::uint32_t part) {
-    const auto isMeant = [part](const OfPart& entry) { return entry.part == part; };
-    const auto found = std::find_if(entries.begin(), entries.end(), isMeant);
-    return found == entries.end() ? nullptr : &*found;
-}
-
 /// In place of the part's entry, or after the others; none takes it out.
 template<typename OfPart>
 void setEntry(std::vector<OfPart>& entries, std::uint32_t part, const std::optional<OfPart>& entry) {
@@ -104,19 +98,6 @@ void fillPart(Project& project, std::uint32_t part, std::optional<double> stiffn
 void pressPart(Project& project, std::uint32_t part, double pressure) {
     setEntry(project.scene.pressures, part,
              pressure != 0 ? std::optional(PartPressure{part, {{0, pressure}}}) : std::nullopt);
-}
-
-const FluidFilling* fluidOf(const Scene& scene, std::uint32_t part) {
-    return entryOf(scene.fillings, part);
-}
-
-const PartPressure* pressureOf(const Scene& scene, std::uint32_t part) {
-    return entryOf(scene.pressures, part);
-}
-
-void removeFluids(Scene& scene) {
-    scene.fillings.clear();
-    scene.pressures.clear();
 }
 
 } // namespace esm

@@ -35,11 +35,4 @@ void fillPart(Project& project, std::uint32_t part, std::optional<double> stiffn
 /// Lets one pressure, Pa, act in a part from the beginning on, in place of what acts there; 0: none.
 void pressPart(Project& project, std::uint32_t part, double pressure);
 
-/// Null where the scene has none of this part.
-const FluidFilling* fluidOf(const Scene& scene, std::uint32_t part);
-const PartPressure* pressureOf(const Scene& scene, std::uint32_t part);
-
-/// All of them, and every pressure from within.
-void removeFluids(Scene& scene);
-
 } // namespace esm

@@ -39,6 +39,12 @@ private:
     std::vector<Cavity> m_cavities;
 };
 
+template<typename OfPart> const OfPart* entryOf(const std::vector<OfPart>& entries, std::uint32_t part) {
+    const auto isMeant = [part](const OfPart& entry) { return entry.part == part; };
+    const auto found = std::find_if(entries.begin(), entries.end(), isMeant);
+    return found == entries.end() ? nullptr : &*found;
+}
+
 } // namespace
 
 std::vector<std::uint32_t> fluidParts(const Scene& scene) {
@@ -48,6 +54,19 @@ std::vector<std::uint32_t> fluidParts(const Scene& scene) {
     for (const PartPressure& pressure : scene.pressures)
         parts.insert(pressure.part);
     return {parts.begin(), parts.end()};
+}
+
+const FluidFilling* fluidOf(const Scene& scene, std::uint32_t part) {
+    return entryOf(scene.fillings, part);
+}
+
+const PartPressure* pressureOf(const Scene& scene, std::uint32_t part) {
+    return entryOf(scene.pressures, part);
+}
+
+void removeFluids(Scene& scene) {
+    scene.fillings.clear();
+    scene.pressures.clear();
 }
 
 std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,

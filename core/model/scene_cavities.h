@@ -9,6 +9,13 @@ namespace esm {
 /// The numbers of the parts that a scene fills or presses from within, rising.
 std::vector<std::uint32_t> fluidParts(const Scene& scene);
 
+/// Null where the scene has none of this part.
+const FluidFilling* fluidOf(const Scene& scene, std::uint32_t part);
+const PartPressure* pressureOf(const Scene& scene, std::uint32_t part);
+
+/// All of them, and every pressure from within.
+void removeFluids(Scene& scene);
+
 /// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
 /// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.
 /// @throws InvalidModel under the scene's entry, where a part is none that holds a fluid: see cavityOf();

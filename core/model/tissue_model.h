@@ -17,6 +17,8 @@ struct Tether {
     std::uint32_t node;
     double springConstant; ///< N/m
     double viscosity;      ///< N·s/m
+
+    bool operator==(const Tether&) const = default;
 };
 
 /// Biphasic springs: lengthened beyond a strain, each goes on with another spring constant, its force without
@@ -39,6 +41,8 @@ inline constexpr auto fieldsOf<SpringStiffening> = fieldTable(
 struct SpringValues {
     double springConstant; ///< N/m
     double viscosity;      ///< N·s/m
+
+    bool operator==(const SpringValues&) const = default;
 };
 
 /// Everything a simulation needs to know of the tissue, evaluated: regions and scene are already in the

@@ -44,7 +44,7 @@ void requirePressable(const ProbedOrgan& organ) {
     if (!organ.model.cavities.empty())
         throw InvalidModel(
             "fluid fills or presses parts of the organ, against which no finger can be computed "
-            "yet: leave fillings and pressures out of the scene");
+            "yet: take the fluid and the pressure out first");
     if (organ.model.fixedNodes.size() >= organ.model.mass.size())
         throw InvalidModel("every node is fixed, so that nothing can be pressed in: fix fewer");
 }

@@ -202,8 +202,7 @@ void takeDefaults(Project& changed, const Project& fresh) {
     changed.scene.tethers = fresh.scene.tethers;
     changed.scene.forces.clear();
     changed.scene.moves.clear();
-    changed.scene.fillings.clear();
-    changed.scene.pressures.clear();
+    removeFluids(changed.scene);
     changed.scene.splits.clear();
     changed.scene.record.nodes.reset();
 }

@@ -7,6 +7,7 @@
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QHBoxLayout>
 #include <QRadioButton>
@@ -24,12 +25,6 @@ constexpr double fewestSolidNodes = 100, mostSolidNodes = 1e5;
 /// The time of a step by `split2`, over that of a hollow organ that bends freely and has as many nodes
 /// (docs/performance.md).
 constexpr double workOfBending = 2, workOfSolid = 1.5;
-
-QLabel* quiet(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("quiet", true);
-    return label;
-}
 
 NumberFormat countFormat(double fewest, double most) {
     NumberFormat format;
@@ -52,7 +47,7 @@ void addRow(QFormLayout* form, QWidget* left, QLabel* right) {
 BodyQuestion::BodyQuestion(QWidget* parent)
     : QWidget(parent), m_bodies(new QButtonGroup(this)), m_work{}, m_detail(new QComboBox(this)),
       m_nodes(new NumberField(countFormat(fewestVertices, fewestVertices), this)),
-      m_suggestion(quiet({}, this)), m_fewerNodes(static_cast<double>(suggestedNodes)),
+      m_suggestion(quietLabel({}, this)), m_fewerNodes(static_cast<double>(suggestedNodes)),
       m_solidNodes(usualLatticeNodes) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
@@ -63,7 +58,7 @@ BodyQuestion::BodyQuestion(QWidget* parent)
 }
 
 void BodyQuestion::addBodies(QFormLayout* form) {
-    addRow(form, quiet(tr("The organ is …"), this), quiet(tr("work of a step"), this));
+    addRow(form, quietLabel(tr("The organ is …"), this), quietLabel(tr("work of a step"), this));
     const std::array<QString, 3> names{tr("&hollow, and bends freely"),
                                        tr("hollow, with a &wall that resists bending"),
                                        tr("&solid, filled with nodes")};
@@ -80,7 +75,7 @@ void BodyQuestion::addBodies(QFormLayout* form) {
         button->setObjectName(QStringLiteral("importBody%1").arg(i));
         button->setToolTip(meanings[i]);
         m_bodies->addButton(button, static_cast<int>(i));
-        m_work[i] = quiet({}, this);
+        m_work[i] = quietLabel({}, this);
         m_work[i]->setObjectName(QStringLiteral("importWork%1").arg(i));
         m_work[i]->setToolTip(tr("How long a step of the motion takes, beside that of the hollow organ that "
                                  "bends freely"));
@@ -94,8 +89,7 @@ void BodyQuestion::addDetail(QFormLayout* form) {
     m_detail->setObjectName(QStringLiteral("importDetail"));
     m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
     const auto addField = [&](const QString& caption, QWidget* field) {
-        QLabel* label = quiet(caption, this);
-        label->setBuddy(field);
+        QLabel* label = quietLabel(caption, this, field);
         field->setAccessibleName(withoutMnemonic(caption));
         form->addRow(label, field);
     };

@@ -7,6 +7,7 @@
 #include "core/authoring/import_unit.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
 
 #include <QDialogButtonBox>
@@ -24,15 +25,8 @@ namespace {
 
 constexpr std::array<LengthUnit, 3> units{LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre};
 
-QLabel* quietLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("quiet", true);
-    return label;
-}
-
 void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, const QString& toolTip) {
-    QLabel* label = quietLabel(caption, choice->parentWidget());
-    label->setBuddy(choice);
+    QLabel* label = quietLabel(caption, choice->parentWidget(), choice);
     choice->setAccessibleName(withoutMnemonic(caption));
     choice->setToolTip(toolTip);
     form->addRow(label, choice);
@@ -208,9 +202,7 @@ void ImportDialog::showWhetherPossible() {
 }
 
 void ImportDialog::addReport(QVBoxLayout* column) {
-    QLabel* caption = quietLabel(tr("&Repaired and found"), this);
-    caption->setBuddy(m_report);
-    column->addWidget(caption);
+    column->addWidget(quietLabel(tr("&Repaired and found"), this, m_report));
     m_report->setObjectName(QStringLiteral("importReport"));
     m_report->setToolTip(tr("What was repaired in the file, and what its parts are"));
     m_report->setReadOnly(true);

@@ -3,6 +3,7 @@
 #include "core/geometry/hole_filling.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QGridLayout>
 
@@ -18,12 +19,6 @@ constexpr std::size_t usualHole = 30; ///< edges
 constexpr int numberWidth = 100;      ///< pixels
 /// A border so many times as long as it is wide is taken for a slit.
 constexpr double slitShape = 8;
-
-QLabel* quiet(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setProperty("quiet", true);
-    return label;
-}
 
 QString edgesText(std::size_t count) {
     return count == 1 ? QObject::tr("1 edge") : QObject::tr("%1 edges").arg(countText(count));
@@ -106,8 +101,8 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
       m_closes(new QCheckBox(tr("C&lose slits up to"), this)),
       m_fills(new QCheckBox(tr("&Fill holes of up to"), this)),
       m_width(new NumberField(widthFormat(widest(*m_found, unit)), this)),
-      m_edges(new NumberField(edgesFormat(), this)), m_widthLimits(quiet(this)), m_closed(new QLabel(this)),
-      m_filled(new QLabel(this)), m_left(new QLabel(this)) {
+      m_edges(new NumberField(edgesFormat(), this)), m_widthLimits(quietLabel({}, this)),
+      m_closed(new QLabel(this)), m_filled(new QLabel(this)), m_left(new QLabel(this)) {
     m_open->setObjectName(QStringLiteral("openBorders"));
     m_open->setWordWrap(true);
     m_closes->setObjectName(QStringLiteral("closesSlits"));
@@ -121,7 +116,7 @@ OpeningOptions::OpeningOptions(std::shared_ptr<const ImportedSurface> found, Len
                           "meet: it goes around no hole, and cannot be filled"));
     m_width->setAccessibleName(tr("Width of slits to close"));
     m_edges->setAccessibleName(tr("Edges of holes to fill"));
-    auto* edgesLimits = quiet(this);
+    auto* edgesLimits = quietLabel({}, this);
     edgesLimits->setText(tr("edges, 3 to %1").arg(mostHoleEdges));
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);

@@ -6,6 +6,7 @@
 #include "core/dynamics/measure/timeline.h"
 #include "core/dynamics/measure/watched_run.h"
 #include "core/dynamics/stability/stability.h"
+#include "core/model/scene_cavities.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -85,17 +86,12 @@ private:
         const std::vector<SpringSystem::Filled>& cavities = simulation.system().cavities;
         if (cavities.empty()) return;
         FluidRow row{time, volumesOf(simulation.system(), simulation.positions()), {}};
-        for (std::size_t i = 0; i < cavities.size(); ++i)
+        for (std::size_t i = 0; i < cavities.size(); ++i) {
+            const PartPressure* fromScene = pressureOf(m_scene, cavities[i].part);
             row.pressures.push_back(ownPressure(cavities[i], row.volumes[i]) +
-                                    pressureOfScene(cavities[i].part, time));
+                                    (fromScene ? pressureAt(*fromScene, time) : 0));
+        }
         m_fluids.push_back(std::move(row));
-    }
-
-    /// Pa, that the scene lays on a part.
-    double pressureOfScene(std::uint32_t part, double time) const {
-        for (const PartPressure& pressure : m_scene.pressures)
-            if (pressure.part == part) return pressureAt(pressure, time);
-        return 0;
     }
 
     Vectors recorded(const Vectors& positions) const {

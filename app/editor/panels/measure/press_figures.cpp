@@ -1,6 +1,7 @@
 #include "app/editor/panels/measure/press_figures.h"
 
 #include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QVariant>
 
@@ -9,12 +10,6 @@ namespace esm {
 namespace {
 
 constexpr int figureDigits = 3;
-
-QLabel* quietLabel(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("quiet", true);
-    return label;
-}
 
 QString figureText(const ProbeResult* result, double (*value)(const ProbeResult&)) {
     return result ? numberText(value(*result), figureDigits) : QString(QChar(0x2013));

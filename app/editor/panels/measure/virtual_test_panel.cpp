@@ -115,6 +115,7 @@ QWidget* VirtualTestPanel::buildNews() {
     m_message->setObjectName(QStringLiteral("pressMessage"));
     m_message->setWordWrap(true);
     m_message->setAlignment(Qt::AlignTop);
+    m_message->ensurePolished();
     m_message->setMinimumHeight(linesOfMessage * m_message->fontMetrics().lineSpacing());
     m_progress->setObjectName(QStringLiteral("pressProgress"));
     m_progress->setAccessibleName(tr("How much of the test is computed"));

@@ -5,6 +5,7 @@
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QSignalBlocker>
 
@@ -76,7 +77,7 @@ AdjustPage::Control& AdjustPage::add(const QString& caption, double ColourAdjust
     slider->setScale(format.minimum * format.shownPerValue, format.maximum * format.shownPerValue);
     const int number = static_cast<int>(m_controls.size());
     const int row = number / controlsInRow, column = number % controlsInRow * columnsOfControl;
-    m_grid->addWidget(quietLabel(caption, field, this), row, column);
+    m_grid->addWidget(quietLabel(caption, this, field), row, column);
     m_grid->addWidget(slider, row, column + 1);
     m_grid->addWidget(field, row, column + 2);
     m_grid->setColumnStretch(column + 1, 1);

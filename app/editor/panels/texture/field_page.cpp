@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/texture/page_row.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <Eigen/Geometry>
 
@@ -98,7 +99,7 @@ void FieldPage::layOut() {
     m_trim->setMaximumWidth(pageNumberWidth);
     m_trim->setToolTip(
         tr("Share of the field's size that is left away at its rim, where the picture is blurred"));
-    row->addWidget(quietLabel(tr("&Trim"), m_trim, this));
+    row->addWidget(quietLabel(tr("&Trim"), this, m_trim));
     row->addWidget(m_trim);
     row->addWidget(m_none);
     row->addStretch();

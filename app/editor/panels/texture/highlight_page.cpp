@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/texture/page_row.h"
 #include "core/texture/photo/highlights.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QSignalBlocker>
 
@@ -29,7 +30,7 @@ HighlightPage::HighlightPage(PreparationEdits& edits, PhotoCanvas& canvas, QWidg
     m_words->setProperty("quiet", true);
     QHBoxLayout* row = pageRow(this);
     row->addWidget(m_fills);
-    row->addWidget(quietLabel(tr("&Sensitivity"), m_slider, this));
+    row->addWidget(quietLabel(tr("&Sensitivity"), this, m_slider));
     row->addWidget(m_slider);
     row->addWidget(m_words);
     row->addStretch();

@@ -6,6 +6,7 @@
 #include "core/texture/photo/straightening.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quiet_label.h"
 
 namespace esm {
 
@@ -34,7 +35,7 @@ void LensPage::layOut() {
            "reads it"));
     m_count->setProperty("quiet", true);
     QHBoxLayout* row = pageRow(this);
-    row->addWidget(quietLabel(tr("L&ens"), m_kind, this));
+    row->addWidget(quietLabel(tr("L&ens"), this, m_kind));
     row->addWidget(m_kind);
     row->addWidget(m_count);
     for (QPushButton* button : {m_straighten, m_clear, m_load, m_save}) {

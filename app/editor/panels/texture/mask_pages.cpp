@@ -2,6 +2,7 @@
 
 #include "app/editor/panels/texture/page_row.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QShortcut>
 
@@ -41,9 +42,9 @@ BrushPage::BrushPage(PhotoCanvas& canvas, QWidget* parent)
     m_softness->setToolTip(tr("Share of the radius over which the brush fades"));
     m_radius->setValue(20);
     m_softness->setValue(0.3);
-    row->addWidget(quietLabel(tr("&Radius"), m_radius, this));
+    row->addWidget(quietLabel(tr("&Radius"), this, m_radius));
     row->addWidget(m_radius);
-    row->addWidget(quietLabel(tr("So&ftness"), m_softness, this));
+    row->addWidget(quietLabel(tr("So&ftness"), this, m_softness));
     row->addWidget(m_softness);
     row->addStretch();
     for (NumberField* field : {m_radius, m_softness}) {
@@ -90,7 +91,7 @@ RegionPage::RegionPage(PreparationEdits& edits, QWidget* parent)
         tr("How much colours may differ from the one that is clicked: 1 is hardly seen, 100 is "
            "black and white"));
     m_tolerance->setValue(usualTolerance);
-    row->addWidget(quietLabel(tr("&Tolerance"), m_tolerance, this));
+    row->addWidget(quietLabel(tr("&Tolerance"), this, m_tolerance));
     row->addWidget(m_tolerance);
     row->addStretch();
 }

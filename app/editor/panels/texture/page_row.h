@@ -1,7 +1,7 @@
 #pragma once
 
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QWidget>
 
 namespace esm {
 
@@ -13,14 +13,6 @@ inline QHBoxLayout* pageRow(QWidget* page) {
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     return row;
-}
-
-/// @param buddy null: words alone
-inline QLabel* quietLabel(const QString& text, QWidget* buddy, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("quiet", true);
-    label->setBuddy(buddy);
-    return label;
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quantity_formats.h"
+#include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
 #include "widgets/texture/image_conversion.h"
 
@@ -164,7 +165,7 @@ QWidget* PhotoDialog::cropPage() {
         field->setObjectName(QLatin1String(name));
         field->setToolTip(tr("Pixels of the photo, from its top left corner"));
         field->setAccessibleName(tr("%1, %2").arg(withoutMnemonic(caption), field->format().unit));
-        row->addWidget(quietLabel(caption, field, page));
+        row->addWidget(quietLabel(caption, page, field));
         row->addWidget(field);
         m_cropFields.emplace_back(part, field);
         connect(field, &NumberField::valueEdited, this,

@@ -3,6 +3,7 @@
 #include "app/editor/panels/texture/page_row.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
+#include "widgets/inputs/quiet_label.h"
 
 #include <QSignalBlocker>
 
@@ -24,7 +25,7 @@ WhitePage::WhitePage(Document& document, PreparationEdits& edits, QWidget* paren
     for (QPushButton* button : {m_find, m_take, m_none})
         button->setAutoDefault(false);
     row->addWidget(m_find);
-    row->addWidget(quietLabel(tr("&As in"), m_others, this));
+    row->addWidget(quietLabel(tr("&As in"), this, m_others));
     row->addWidget(m_others);
     row->addWidget(m_take);
     row->addWidget(m_none);

@@ -49,10 +49,13 @@ TEST_F(MeasureControllerTest, AClickAndEnterMeasure) {
     QTest::mouseClick(&window->view(), Qt::LeftButton, {}, window->view().rect().center());
     auto* button = child<QPushButton>("pressButton");
     ESM_EVENTUALLY(button->isEnabled());
-    typeInto(child<NumberField>("fingerDepth"), "0.5 mm");
+    typeInto(child<NumberField>("fingerDepth"), "3 mm");
     button->setFocus();
     QTest::keyClick(button, Qt::Key_Return);
-    ESM_EVENTUALLY(child<QLabel>("pressForce")->text() != QString(QChar(0x2013)));
+    const auto said = [this] { return child<QLabel>("pressMessage")->text().toStdString(); };
+    ESM_EVENTUALLY(child<QLabel>("pressForce")->text() != QString(QChar(0x2013)) || !said().empty());
+    EXPECT_EQ(said(), "");
+    EXPECT_EQ(child<QLabel>("pressDepth")->text(), "3.00");
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview.h"
 #include "core/authoring/fluids.h"
+#include "core/model/scene_cavities.h"
 #include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "core/support/pressure_units.h"
