@@ -42,6 +42,8 @@ Collider scaled(Collider collider, double factor);
 struct ColliderPose {
     Eigen::Vector3d place; ///< m, of its origin
     Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+
+    bool operator==(const ColliderPose&) const = default;
 };
 
 /// Part of the way, 0 to 1, from one pose to another: straight on, and turned evenly the shorter way round.
@@ -50,6 +52,8 @@ ColliderPose between(const ColliderPose& from, const ColliderPose& to, double pa
 struct PlacedCollider {
     Collider shape;
     ColliderPose pose;
+
+    bool operator==(const PlacedCollider&) const = default;
 };
 PlacedCollider sphereAt(const Eigen::Vector3d& centre, double radius);
 

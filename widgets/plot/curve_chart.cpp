@@ -8,6 +8,7 @@
 #include <QToolTip>
 
 #include <qwt_plot_curve.h>
+#include <qwt_plot_marker.h>
 #include <qwt_symbol.h>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ constexpr int curveReach = 12;        ///< pixels, of the mouse
 constexpr double besideCurves = 0.04; ///< of a scale, so that no end is cut
 constexpr int valueDigits = 3;        ///< that anyone reads off a curve
 constexpr double emptyScale = 1.0;    ///< to which scales go that nothing is drawn on
+constexpr int mostDots = 60;          ///< of a curve; of more a line is seen, and no dots
 
 QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
     auto* line = new QwtPlotCurve;
@@ -31,8 +33,12 @@ QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
 
 } // namespace
 
-CurveChart::CurveChart(QWidget* parent) : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)) {
+CurveChart::CurveChart(QWidget* parent)
+    : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)), m_mark(new QwtPlotMarker) {
     m_pointedMark->setStyle(QwtPlotCurve::NoCurve);
+    m_mark->setLineStyle(QwtPlotMarker::VLine);
+    m_mark->setVisible(false);
+    m_mark->attach(this);
     canvas()->installEventFilter(this);
     CurveChart::followTheme();
     drawScales();
@@ -64,6 +70,13 @@ void CurveChart::setCurves(std::vector<ChartCurve> curves) {
     tellSpoken(*this);
 }
 
+void CurveChart::setMark(std::optional<double> x) {
+    if (!x && !m_mark->isVisible()) return;
+    m_mark->setVisible(x.has_value());
+    if (x) m_mark->setXValue(*x);
+    replot();
+}
+
 void CurveChart::drawScales() {
     double right = 0, top = 0;
     for (const ChartCurve& curve : m_curves)
@@ -84,9 +97,11 @@ void CurveChart::followTheme() {
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const QColor colour = colourOf(i);
         m_lines[i]->setPen(colour, i == 0 ? 2 : 1.4, i == 0 ? Qt::SolidLine : Qt::DashLine);
-        m_lines[i]->setSymbol(
-            new QwtSymbol(QwtSymbol::Ellipse, colour, Qt::NoPen, i == 0 ? QSize(6, 6) : QSize(4, 4)));
+        const QwtSymbol::Style dots =
+            m_curves[i].points.size() > mostDots ? QwtSymbol::NoSymbol : QwtSymbol::Ellipse;
+        m_lines[i]->setSymbol(new QwtSymbol(dots, colour, Qt::NoPen, i == 0 ? QSize(6, 6) : QSize(4, 4)));
     }
+    m_mark->setLinePen(palette().color(QPalette::WindowText), 1);
     m_pointedMark->setSymbol(
         new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush, QPen(palette().color(QPalette::Link), 1.5), {15, 15}));
     PlainPlot::followTheme();

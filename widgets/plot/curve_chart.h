@@ -9,6 +9,7 @@
 #include <vector>
 
 class QwtPlotCurve;
+class QwtPlotMarker;
 
 namespace esm {
 
@@ -34,6 +35,8 @@ public:
 
     void setAxes(const ChartAxis& x, const ChartAxis& y);
     void setCurves(std::vector<ChartCurve> curves);
+    /// A line upright at an x, such as the moment that is shown elsewhere; none: without.
+    void setMark(std::optional<double> x);
 
     /// Where a point of a curve lies on the canvas.
     QPoint placeOf(std::size_t curve, int point) const;
@@ -66,6 +69,7 @@ private:
     std::vector<ChartCurve> m_curves;
     std::vector<QwtPlotCurve*> m_lines; ///< one for each
     QwtPlotCurve* m_pointedMark;
+    QwtPlotMarker* m_mark;
     std::optional<Spot> m_pointed;
 };
 

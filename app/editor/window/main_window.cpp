@@ -17,6 +17,7 @@
 #include "app/editor/window/peek_key.h"
 #include "app/editor/window/photo_controller.h"
 #include "app/editor/window/play_controller.h"
+#include "app/editor/window/poke_screen.h"
 #include "app/editor/window/recovery.h"
 #include "app/editor/window/reference_window.h"
 #include "app/editor/window/scene_note.h"
@@ -64,15 +65,17 @@ MainWindow::MainWindow(Project project)
       m_actions(createActions(this, m_document->undoStack())), m_view(new OrganView(this)),
       m_landmarking(new Landmarking(*m_document, *m_selection, this)),
       m_virtualTest(new VirtualTest(*m_document, *m_preview, this)),
+      m_poke(new PokeTest(*m_document, *m_preview, this)),
       m_tools(
           new ToolController(*m_view, {*m_document, *m_selection, *m_preview, *m_landmarking, *m_virtualTest,
                                        *m_actions.showRegions, *m_actions.showProjector})),
       m_viewController(new ViewController(*m_view, *m_document, *m_selection, *m_preview)),
+      m_pokeScreen(new PokeScreen(*m_view, *m_viewController, *m_preview, *m_poke)),
       m_cameraControls(new CameraControls(*m_view, *m_document, *m_selection)) {
     m_workspaces = new Workspaces(*this, m_actions);
     m_status = new StatusLine(*statusBar());
     m_slowMotion = new SlowMotion(*m_view, *m_document);
-    m_measure = new MeasureController(*m_document, *m_preview, *m_virtualTest, this);
+    m_measure = new MeasureController(*m_document, *m_preview, *m_virtualTest, *m_poke, this);
     makeControllers();
     buildWindow();
     connectParts();
@@ -125,6 +128,7 @@ MainWindow::~MainWindow() {
 
 std::vector<QWidget*> MainWindow::buildViews() {
     auto shown = m_tools->makeOptions(ToolOptions::Beside);
+    shown.push_back(&m_pokeScreen->formerView());
     shown.push_back(m_view);
     return {beside(shown), &m_measure->charts()};
 }
@@ -141,6 +145,7 @@ void MainWindow::showLargePhoto() {
 
 void MainWindow::connectParts() {
     m_viewController->connectActions(m_actions);
+    m_pokeScreen->connectActions(m_actions);
     new PeekKey(*m_actions.showBare);
     m_cameraControls->connectActions(m_actions);
     auto* bar = new ViewBar(m_actions, m_view);
@@ -148,6 +153,8 @@ void MainWindow::connectParts() {
             [this, bar] { m_viewController->setCut(bar->cut()); });
     m_tools->connectActions(m_actions);
     m_measure->connectParts(*m_workspaces, m_actions);
+    connect(m_measure, &MeasureController::filmAsked, m_pokeScreen,
+            [this] { m_pokeScreen->saveFilm(*m_document); });
     m_files->connectActions(m_actions);
     m_photos->connectActions(m_actions);
     m_edits->connectActions(m_actions);
@@ -187,6 +194,7 @@ void MainWindow::connectStatusLine() {
     connect(m_files, &FileController::message, m_status, &StatusLine::showMessage);
     connect(m_photos, &PhotoController::message, m_status, &StatusLine::showMessage);
     connect(m_measure, &MeasureController::message, m_status, &StatusLine::showMessage);
+    connect(m_pokeScreen, &PokeScreen::message, m_status, &StatusLine::showMessage);
     connect(m_tools, &ToolController::message, m_status, &StatusLine::showMessage);
     connect(m_shortcuts, &ShortcutController::message, m_status, &StatusLine::showMessage);
     connect(m_device, &DeviceController::message, m_status, &StatusLine::showMessage);

@@ -1,18 +1,23 @@
 #include "app/editor/window/measure_controller.h"
 
 #include "app/editor/panels/measure/accuracy_view.h"
+#include "app/editor/panels/measure/poke_view.h"
 #include "app/editor/panels/measure/press_view.h"
 
 namespace esm {
 
-MeasureController::MeasureController(Document& document, Preview& preview, VirtualTest& test, QObject* parent)
-    : QObject(parent), m_actions(), m_charts(new QStackedWidget) {
+MeasureController::MeasureController(Document& document, Preview& preview, VirtualTest& test, PokeTest& poke,
+                                     QObject* parent)
+    : QObject(parent), m_actions(), m_poke(poke), m_charts(new QStackedWidget) {
     auto* accuracy = new SpeedAndAccuracy(document, preview, this);
-    m_column = new MeasureColumn(document, *accuracy, test);
+    m_column = new MeasureColumn(document, *accuracy, test, poke);
     auto* runs = new AccuracyView(document, *accuracy);
     auto* press = new PressView(document, test);
     m_charts->addWidget(runs);
     m_charts->addWidget(press);
+    auto* moved = new PokeView(poke);
+    m_charts->addWidget(moved);
+    connect(moved, &PokeView::filmAsked, this, &MeasureController::filmAsked);
     m_charts->hide();
     connect(runs, &AccuracyView::message, this, &MeasureController::message);
     connect(press, &PressView::message, this, &MeasureController::message);
@@ -22,10 +27,13 @@ void MeasureController::connectParts(const Workspaces& workspaces, const Actions
     m_actions = actions;
     QAction* finger = actions.tool(QStringLiteral("finger"));
     m_column->testPanel().setPlaceAction(finger);
-    connect(&workspaces, &Workspaces::shown, m_charts,
-            [this](Workspace shown) { m_charts->setVisible(shown == Workspace::Measure); });
+    connect(&workspaces, &Workspaces::shown, m_charts, [this](Workspace shown) {
+        m_charts->setVisible(shown == Workspace::Measure);
+        if (shown != Workspace::Measure) m_poke.player().leave();
+    });
     connect(m_column, &MeasureColumn::chosen, this, [this](MeasurePage page) {
         m_charts->setCurrentIndex(static_cast<int>(page));
+        if (page != MeasurePage::Poke) m_poke.player().leave();
         takeTool();
     });
     connect(actions.measure, &QAction::triggered, this, &MeasureController::takeTool);

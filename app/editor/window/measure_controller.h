@@ -8,13 +8,14 @@
 
 namespace esm {
 
-/// The workspace Measure: speed and accuracy, and the virtual test, each with its panels at the left, its
-/// chart below the organ and the tool that it needs.
+/// The workspace Measure: speed and accuracy, the virtual test and the recorded poke, each with its panels at
+/// the left, its chart below the organ and the tool that it needs.
 class MeasureController : public QObject {
     Q_OBJECT
 
 public:
-    MeasureController(Document& document, Preview& preview, VirtualTest& test, QObject* parent);
+    MeasureController(Document& document, Preview& preview, VirtualTest& test, PokeTest& poke,
+                      QObject* parent);
 
     MeasureColumn& column() { return *m_column; }
     QWidget& charts() { return *m_charts; } ///< the one that belongs to the page
@@ -24,11 +25,14 @@ public:
 signals:
     /// Something for the line at the bottom.
     void message(const QString& text);
+    /// The motion of the poke is to be written as a film.
+    void filmAsked();
 
 private:
     void takeTool();
 
     Actions m_actions;
+    PokeTest& m_poke;
     MeasureColumn* m_column;
     QStackedWidget* m_charts; ///< in the order of the pages
 };

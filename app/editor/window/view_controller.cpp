@@ -123,6 +123,16 @@ void ViewController::setCut(const Cut& cut) {
     rebuild({&ViewController::showShownParts});
 }
 
+void ViewController::showMoment(std::optional<PreviewFrame> moment) {
+    m_moment = std::move(moment);
+    showFrame();
+}
+
+PreviewFrame ViewController::frameNow() {
+    PreviewFrame living = m_preview.frame(); // taken in any case: the next is announced once it is
+    return m_moment ? *m_moment : std::move(living);
+}
+
 void ViewController::followCamera() {
     if (m_state.cut && m_state.cut->side == CutSide::Viewer) rebuild({&ViewController::showShownParts});
     if (!m_view.scene().projectors.empty()) rebuild({&ViewController::showProjector});
@@ -184,7 +194,7 @@ void ViewController::endRedrawing() {
 void ViewController::rebuildScene() {
     const Project& project = m_document.project();
     RenderScene scene = organScene(project.mesh, project.network, project.texture.baseColour);
-    PreviewFrame frame = m_preview.frame();
+    PreviewFrame frame = frameNow();
     if (frame.network == project.network) {
         scene.nodePositions = std::move(frame.positions);
         scene.instruments = std::move(frame.instruments);
@@ -287,10 +297,12 @@ void ViewController::colourTissue(RenderScene& scene) {
 }
 
 void ViewController::showFrame() {
-    PreviewFrame frame = m_preview.frame();
+    PreviewFrame frame = frameNow();
     if (frame.network != m_document.project().network) return;
     m_view.setNodePositions(std::move(frame.positions));
     m_view.setInstruments(std::move(frame.instruments));
+    m_view.changeScene(
+        [&](RenderScene& scene) { scene.heldInstrument = m_moment ? frame.heldInstrument : std::nullopt; });
     m_speeds = std::move(frame.speeds);
     if (followsMotion(m_state.colourBy)) rebuild({&ViewController::colourTissue});
 }

@@ -28,6 +28,8 @@ public:
     void setTheme(Theme theme);
     /// Where it is cut while it is cut open.
     void setCut(const Cut& cut);
+    /// A moment of another motion in place of the one that plays; none: what plays.
+    void showMoment(std::optional<PreviewFrame> moment);
 
 signals:
     /// Photos or paint were edited while none of them is shown.
@@ -69,6 +71,7 @@ private:
     void colourTissue(RenderScene& scene);
     void showFixedNodes(RenderScene& scene);
     void paintBackground(RenderScene& scene);
+    PreviewFrame frameNow();
     void showFrame();
     void showTexture();
 
@@ -85,6 +88,7 @@ private:
     ViewState m_state;                           ///< as the user wants it
     Cut m_cut;                                   ///< while it is cut open
     std::shared_ptr<const TissueModel> m_tissue; ///< as it was evaluated last
+    std::optional<PreviewFrame> m_moment;        ///< in place of what plays
     std::vector<double> m_speeds;                ///< m/s, one per node, of the latest frame
     std::optional<ValueRange> m_colourRange;     ///< of what is coloured
     std::vector<std::uint32_t> m_fixedNodes;

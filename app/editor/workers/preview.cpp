@@ -116,10 +116,38 @@ void Preview::reset() {
     });
 }
 
+void Preview::record() {
+    send([](Inbox& inbox) {
+        inbox.record = inbox.asked; // from rest
+        inbox.reset.reset();
+        inbox.playScene.reset();
+        inbox.playing = true;
+        inbox.loads.gentleMotion = false;
+    });
+}
+
+bool Preview::isRecording() const {
+    const std::lock_guard lock(m_mutex);
+    return m_inbox.record || m_recorder;
+}
+
+std::optional<double> Preview::recordedTime() const {
+    const std::lock_guard lock(m_mutex);
+    return m_recorder ? std::optional(m_recorder->poke().duration) : std::nullopt;
+}
+
+std::optional<Poke> Preview::endRecording() {
+    const std::lock_guard lock(m_mutex);
+    m_inbox.record.reset();
+    std::optional<PokeRecorder> recorder = std::exchange(m_recorder, std::nullopt);
+    return recorder ? std::optional(recorder->poke()) : std::nullopt;
+}
+
 void Preview::playScene() {
     send([](Inbox& inbox) {
         inbox.playScene = inbox.asked; // from rest
         inbox.reset.reset();
+        inbox.record.reset();
         inbox.playing = true;
         inbox.loads.gentleMotion = false;
     });
@@ -176,6 +204,9 @@ Preview::Inbox Preview::collect(bool idle, Clock::time_point until) {
     m_inbox.isNew = false;
     taken.reset = takeDue(m_inbox.reset, m_inbox.arrived);
     taken.playScene = takeDue(m_inbox.playScene, m_inbox.arrived);
+    taken.record = takeDue(m_inbox.record, m_inbox.arrived);
+    if (taken.record)
+        m_recorder.emplace(m_inbox.network); // within the lock: it is always seen to be going on
     return taken;
 }
 
@@ -202,10 +233,12 @@ bool Preview::workOnce(Worker& worker) {
         run.keepWithin(*inbox.safeStep);
     if (inbox.reset) run.reset();
     if (inbox.playScene) run.beginScene();
+    if (inbox.record) run.reset();
+    if (inbox.playScene) endRecording();
     // An organ that another one is to replace rests.
     const bool isWanted = inbox.playing && run.network() == inbox.network;
     const bool canPlay = isWanted && run.isReady();
-    worker.playing = canPlay && run.advance(inSeconds(framePeriod), inbox.loads);
+    worker.playing = canPlay && advance(run, inbox.loads);
     gauge(worker);
     const bool isSceneOver = canPlay && !worker.playing && run.isReady();
     if (inbox.playing && !worker.playing) pauseWhatEnded(inbox, isSceneOver);
@@ -213,12 +246,24 @@ bool Preview::workOnce(Worker& worker) {
     return true;
 }
 
+bool Preview::advance(PreviewRun& run, const PreviewLoads& loads) {
+    {
+        const std::lock_guard lock(m_mutex);
+        if (m_recorder && m_recorder->poke().network != run.network()) m_recorder.reset();
+        if (m_recorder) m_recorder->note(run.time(), loads);
+    }
+    const bool goesOn = run.advance(inSeconds(framePeriod), loads);
+    const std::lock_guard lock(m_mutex);
+    if (m_recorder) m_recorder->goOn(run.time());
+    return goesOn;
+}
+
 /// A run that failed, or came to its scene's end, has to be started again by hand. What failed may go on by a
 /// project that is being prepared.
 void Preview::pauseWhatEnded(Inbox& inbox, bool isSceneOver) {
     const std::lock_guard lock(m_mutex);
     const bool changes = m_inbox.prepared || m_inbox.arrived != m_inbox.asked;
-    if ((changes && !isSceneOver) || m_inbox.reset || m_inbox.playScene) return;
+    if ((changes && !isSceneOver) || m_inbox.reset || m_inbox.playScene || m_inbox.record) return;
     m_inbox.playing = false;
     inbox.isNew = true;
 }

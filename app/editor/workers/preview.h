@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/workers/latest_worker.h"
+#include "app/editor/workers/poke.h"
 #include "app/editor/workers/preview_loads.h"
 #include "app/editor/workers/preview_status.h"
 #include "app/editor/workers/safe_step_finder.h"
@@ -51,6 +52,14 @@ public:
     void reset();
     /// Plays the loads of the project's scene from rest, and pauses where it ends.
     void playScene();
+    /// Goes back to rest, plays, and writes down what the hand does from there on.
+    void record();
+    /// Whether it does, or is about to. The scene and another net of the organ end it.
+    bool isRecording() const;
+    /// s that are written down; none while nothing is.
+    std::optional<double> recordedTime() const;
+    /// What was written down; none where nothing was.
+    std::optional<Poke> endRecording();
     void setPull(const std::optional<Pull>& pull);
     void setInstrument(const std::optional<PlacedCollider>& instrument);
     void setGentleMotion(bool on);
@@ -78,7 +87,7 @@ private:
         std::shared_ptr<PreparedProject> prepared;
         int asked = 0, arrived = 0; ///< numbers of the last project that came and that was prepared
         std::shared_ptr<const SpringNetwork> network; ///< of the last that came
-        std::optional<int> reset, playScene;          ///< wait for the project of this number
+        std::optional<int> reset, playScene, record;  ///< wait for the project of this number
         std::optional<double> safeStep;               ///< s, of what runs
         bool isNew = false, playing = false, stop = false;
         PreviewLoads loads;
@@ -97,6 +106,7 @@ private:
     void pauseWhatEnded(Inbox& inbox, bool isSceneOver);
     /// Ends the run for what went wrong outside the simulation.
     void giveUp(PreviewRun& run, const std::string& reason);
+    bool advance(PreviewRun& run, const PreviewLoads& loads);
     Inbox collect(bool idle, std::chrono::steady_clock::time_point until);
     void publish(const Worker& worker, int project);
     void takeSafeStep(std::optional<double> step);
@@ -108,6 +118,7 @@ private:
     PreviewFrame m_frame;
     PreviewStatus m_status;
     std::shared_ptr<const TissueModel> m_tissue;
+    std::optional<PokeRecorder> m_recorder;
     int m_tissueProject = 0; ///< the number of the project that it is of
     std::atomic<bool> m_frameAnnounced = false;
     SafeStepFinder m_safeSteps;

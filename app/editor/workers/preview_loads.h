@@ -11,6 +11,8 @@ namespace esm {
 struct Pull {
     std::uint32_t node;
     Eigen::Vector3d target; ///< m
+
+    bool operator==(const Pull&) const = default;
 };
 
 /// What acts on the preview from outside.
@@ -18,6 +20,8 @@ struct PreviewLoads {
     std::optional<Pull> pull;
     std::optional<PlacedCollider> instrument;
     bool gentleMotion = false; ///< the slow pull of a newly opened organ
+
+    bool operator==(const PreviewLoads&) const = default;
 };
 
 } // namespace esm

@@ -293,6 +293,27 @@ bool PreviewRun::advance(double seconds, const PreviewLoads& loads) {
     }
     measure(simulated, secondsSince(start));
     measureForces(toldImpulse() - impulse, simulated);
+    return endTurn();
+}
+
+bool PreviewRun::follow(const Poke& poke, double until) {
+    const Eigen::Vector3d impulse = toldImpulse();
+    const double start = time();
+    while (time() < until - m_simulation->timeStep() / 2) {
+        const PreviewLoads loads = loadsAt(poke, time());
+        followLoads(loads);
+        if (step(loads)) continue;
+        const std::string reason = m_simulation->failure();
+        if (goBack()) continue;
+        stop(reason);
+        return false;
+    }
+    if (time() > start) measureForces(toldImpulse() - impulse, time() - start);
+    return endTurn();
+}
+
+/// After some steps: whether the run can go on.
+bool PreviewRun::endTurn() {
     if (!isDrawn()) {
         stop("the tissue moves too far away to be drawn: fix some of its nodes, tether it, or lower gravity");
         return false;

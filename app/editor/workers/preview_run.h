@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/workers/grasp.h"
+#include "app/editor/workers/poke.h"
 #include "app/editor/workers/prepared_project.h"
 #include "app/editor/workers/preview_loads.h"
 #include "app/editor/workers/preview_status.h"
@@ -36,6 +37,9 @@ public:
     /// when the run stopped, as it does where nothing helps, or nothing can be drawn any more, and where the
     /// scene that plays is over; after that it goes on without the scene.
     bool advance(double seconds, const PreviewLoads& loads);
+    /// Steps as advance() does until a time of its clock, s, under what the poke says of each moment and
+    /// however long that takes. False when the run stopped.
+    bool follow(const Poke& poke, double until);
 
     /// Steps as the program chooses from now on, where the project's step is far beyond the longest stable
     /// one: what rests looks calm until something touches it.
@@ -46,6 +50,7 @@ public:
     const TissueModel& model() const { return *m_model; }
     /// Precondition: a project was taken.
     Integrator integrator() const { return m_simulation->integrator(); }
+    double time() const { return m_simulation->time(); } ///< s since rest. Precondition: a project was taken
     const std::vector<Eigen::Vector3d>& positions() const;
     std::vector<double> speeds() const; ///< m/s, one per node; empty without a simulation
     const std::shared_ptr<const SpringNetwork>& network() const { return m_network; }
@@ -60,6 +65,7 @@ private:
     bool isSceneOver() const;
     void leaveScene();
     bool goBack();
+    bool endTurn();
     bool isReplaced() const { return m_replaced != Replaced::Not; }
     void replaceStepping(Replaced why);
     bool isDrawn() const;

@@ -1,0 +1,186 @@
+#include "app/editor/panels/measure/poke_panel.h"
+
+#include "app/editor/dialogs/sentence.h"
+#include "widgets/inputs/enabling.h"
+#include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
+#include "widgets/inputs/section.h"
+
+#include <QHBoxLayout>
+#include <QStyle>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+constexpr int pokePatience = 300; // ms; most motions of small organs are computed by then
+constexpr int pokeMessageLines = 4;
+constexpr int wholePokeBar = 100;
+
+QString secondsText(double seconds) {
+    return decimalText(seconds, 1) + QStringLiteral(" s");
+}
+
+/// The largest of a quantity in a motion, in a unit; none without a motion.
+std::optional<double> largest(const PokeTest::Motion& motion, double PokePicture::*quantity, double unit) {
+    if (!motion) return std::nullopt;
+    double most = 0;
+    for (const PokePicture& picture : motion->pictures)
+        most = std::max(most, picture.*quantity);
+    return most / unit;
+}
+
+} // namespace
+
+PokePanel::PokePanel(PokeTest& test, QWidget* parent)
+    : QWidget(parent), m_test(test), m_record(new QPushButton(tr("Record"), this)),
+      m_repeat(new QPushButton(tr("Repeat"), this)), m_cancel(new QPushButton(tr("Cancel"), this)),
+      m_news(new QStackedWidget(this)), m_message(new QLabel(this)), m_progress(new QProgressBar(this)),
+      m_figures(new FigureTable(this)) {
+    auto* poke = new Section(tr("Poke"), this);
+    poke->body()->addWidget(buildRecording());
+    poke->body()->addWidget(buildButtons());
+    poke->body()->addWidget(buildNews());
+    auto* met = new Section(tr("What it met"), this);
+    m_figures->addRow(tr("Largest force, N"), QStringLiteral("pokeForce"),
+                      tr("Of the tissue on what pulls or pushes it, a mean over a moment"));
+    m_figures->addRow(tr("Largest displacement, mm"), QStringLiteral("pokeDisplacement"),
+                      tr("Of the tissue that is pulled or pushed, from where it rests"));
+    met->body()->addWidget(m_figures);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(poke);
+    column->addWidget(met);
+
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(pokePatience);
+    connect(&m_patience, &QTimer::timeout, this, &PokePanel::showNews);
+    connect(&m_test, &PokeTest::changed, this, &PokePanel::refresh);
+    refresh();
+}
+
+QWidget* PokePanel::buildRecording() {
+    auto* whole = new QWidget(this);
+    auto* column = new QVBoxLayout(whole);
+    column->setContentsMargins(0, 0, 0, 0);
+    QLabel* said = quietLabel(tr("Records what your hand does to the organ with the tools Pull and "
+                                 "Instrument, and does the same to the organ as you change it."),
+                              whole);
+    said->setWordWrap(true);
+    column->addWidget(said);
+    m_record->setObjectName(QStringLiteral("recordPoke"));
+    m_record->setAutoDefault(true); // Enter works where it has the keys
+    column->addWidget(m_record);
+    auto* rows = new ValueRows(whole);
+    m_length = rows->addText(tr("Length"), QStringLiteral("pokeLength"));
+    m_length->setToolTip(tr("In the tissue's own time, which passes slowly where an organ is large"));
+    column->addWidget(rows);
+    connect(m_record, &QPushButton::clicked, this, [this] {
+        if (m_test.isRecording())
+            m_test.stop();
+        else
+            m_test.record();
+    });
+    return whole;
+}
+
+QWidget* PokePanel::buildButtons() {
+    auto* whole = new QWidget(this);
+    auto* row = new QHBoxLayout(whole);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_repeat->setObjectName(QStringLiteral("repeatPoke"));
+    m_repeat->setAutoDefault(true);
+    m_cancel->setObjectName(QStringLiteral("cancelPoke"));
+    row->addWidget(m_repeat, 2);
+    row->addWidget(m_cancel, 1);
+    connect(m_repeat, &QPushButton::clicked, &m_test, &PokeTest::repeat);
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        m_repeat->setFocus(); // since the button cannot be used any more
+        m_test.cancel();
+    });
+    return whole;
+}
+
+/// As high as a long sentence, so that what stands below stays where it is.
+QWidget* PokePanel::buildNews() {
+    m_message->setObjectName(QStringLiteral("pokeMessage"));
+    m_message->setWordWrap(true);
+    m_message->setAlignment(Qt::AlignTop);
+    m_message->ensurePolished();
+    m_message->setMinimumHeight(pokeMessageLines * m_message->fontMetrics().lineSpacing());
+    m_progress->setObjectName(QStringLiteral("pokeProgress"));
+    m_progress->setAccessibleName(tr("How much of the motion is computed"));
+    m_progress->setMaximum(wholePokeBar);
+    auto* barOnTop = new QWidget(m_news);
+    auto* column = new QVBoxLayout(barOnTop);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_progress);
+    column->addStretch();
+    m_news->addWidget(m_message);
+    m_news->addWidget(barOnTop);
+    return m_news;
+}
+
+void PokePanel::refresh() {
+    const bool isRecording = m_test.isRecording();
+    m_record->setText(isRecording ? tr("Stop") : tr("Record"));
+    m_record->setToolTip(isRecording ? tr("End the recording, and compute the motion")
+                                     : tr("Bring the organ to rest and record what your hand does to it, "
+                                          "for up to %1 s")
+                                           .arg(longestPoke));
+    const QString none = tr("none yet");
+    m_length->setText(isRecording     ? secondsText(m_test.recordedTime())
+                      : m_test.poke() ? secondsText(m_test.poke()->duration)
+                                      : none);
+    const QString obstacle = m_test.obstacle();
+    enable(m_repeat, obstacle.isEmpty(), tr("Do the same to the organ as it is now"), obstacle);
+    enable(m_cancel, m_test.isComputing(), tr("Stop computing; the motion before stays"),
+           tr("Nothing is being computed"));
+    if (m_test.isComputing() && m_test.progress() <= 0) m_patience.start();
+    showFigures();
+    showNews();
+}
+
+void PokePanel::showFigures() {
+    if (m_shown == m_test.latest() && m_shownBefore == m_test.former()) return;
+    m_shown = m_test.latest();
+    m_shownBefore = m_test.former();
+    constexpr double millimetre = 1e-3;
+    m_figures->setRow(0, largest(m_shown, &PokePicture::force, 1),
+                      largest(m_shownBefore, &PokePicture::force, 1));
+    m_figures->setRow(1, largest(m_shown, &PokePicture::displacement, millimetre),
+                      largest(m_shownBefore, &PokePicture::displacement, millimetre));
+}
+
+void PokePanel::showNews() {
+    const bool isLong = m_test.isComputing() && !m_patience.isActive();
+    m_progress->setValue(static_cast<int>(m_test.progress() * wholePokeBar));
+    m_news->setCurrentIndex(isLong ? 1 : 0);
+    const QString failure = m_test.isComputing() ? QString() : sentence(m_test.failure());
+    const QString said = failure.isEmpty() ? remark() : failure;
+    if (said == m_message->text()) return;
+    const bool warns =
+        !failure.isEmpty() || m_test.isOutdated() || (m_test.latest() && !m_test.latest()->failure.empty());
+    m_message->setText(said);
+    m_message->setProperty("warning", warns);
+    m_message->setProperty("quiet", !warns);
+    m_message->style()->unpolish(m_message);
+    m_message->style()->polish(m_message);
+}
+
+/// What else should be known, the most needed first.
+QString PokePanel::remark() const {
+    if (m_test.isRecording())
+        return tr("Recording: pull or push the organ in the view, let it come to rest, then Stop.");
+    const PokeTest::Motion& latest = m_test.latest();
+    if (!latest) return {};
+    if (m_test.isOutdated()) return tr("Computed before the last change of the organ: repeat it.");
+    if (!latest->failure.empty())
+        return tr("The motion ends early: %1").arg(QString::fromStdString(latest->failure));
+    return {};
+}
+
+} // namespace esm

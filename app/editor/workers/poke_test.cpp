@@ -1,0 +1,165 @@
+#include "app/editor/workers/poke_test.h"
+
+namespace esm {
+
+namespace {
+
+constexpr int recordingNews = 50; // ms
+constexpr double toldStep = 0.01; // of the work, after which the window hears of it again
+
+/// Whether both move alike under the same poke.
+bool movesAlike(const Project& a, const Project& b) {
+    const Change change = difference(a, b);
+    return !change.model() && !change.stepping;
+}
+
+} // namespace
+
+PokeTest::PokeTest(Document& document, Preview& preview, QObject* parent)
+    : QObject(parent), m_document(document), m_preview(preview),
+      m_worker([this](const Worker::Task& task) { return answerTo(task); }, [this] { emit told(); }) {
+    connect(this, &PokeTest::told, this, &PokeTest::hear, Qt::QueuedConnection);
+    connect(&document, &Document::changed, this, &PokeTest::followDocument);
+    connect(&document, &Document::replaced, this, &PokeTest::forget);
+    m_recording.setInterval(recordingNews);
+    connect(&m_recording, &QTimer::timeout, this, &PokeTest::followRecording);
+}
+
+void PokeTest::record() {
+    cancel();
+    m_player.leave();
+    m_failure.clear();
+    m_preview.record();
+    m_recording.start();
+    emit changed();
+}
+
+double PokeTest::recordedTime() const {
+    return m_preview.recordedTime().value_or(0);
+}
+
+void PokeTest::followRecording() {
+    if (recordedTime() >= longestPoke || !m_preview.isRecording()) return stop();
+    emit changed();
+}
+
+void PokeTest::stop() {
+    if (!isRecording()) return;
+    m_recording.stop();
+    std::optional<Poke> poke = m_preview.endRecording();
+    if (poke && poke->duration > 0) {
+        m_poke = std::move(poke);
+        m_latest.reset();
+        if (!m_isKept) m_former.reset();
+        fitPlayer();
+        repeat();
+    }
+    emit changed();
+}
+
+QString PokeTest::obstacle() const {
+    if (isRecording()) return tr("The poke is being recorded");
+    if (!m_poke) return tr("Record a poke first");
+    if (!m_preview.status().failure.empty())
+        return tr("The tissue cannot move: the line at the bottom says why");
+    return {};
+}
+
+void PokeTest::repeat() {
+    if (!obstacle().isEmpty()) return;
+    m_failure.clear();
+    m_progress = 0;
+    m_isComputing = true;
+    m_asked = m_worker.ask(Question{*m_poke, m_document.project()});
+    emit changed();
+}
+
+void PokeTest::cancel() {
+    if (!m_isComputing) return;
+    m_isComputing = false;
+    m_worker.ask(std::nullopt);
+    emit changed();
+}
+
+PokeTest::Motion PokeTest::answerTo(const Worker::Task& task) {
+    if (!task.question) return nullptr;
+    const Progress goesOn = task.progress();
+    double said = 0;
+    const Progress progress = [&](double done) {
+        if (!goesOn(done)) return false; // the bar is another question's by now
+        if (done >= said + toldStep) {
+            said = done;
+            m_progress = done;
+            emit told();
+        }
+        return true;
+    };
+    return std::make_shared<const PokeMotion>(
+        motionUnder(task.question->poke, task.question->project, progress));
+}
+
+void PokeTest::hear() {
+    if (!m_isComputing) return;
+    const Outcome<Motion> outcome = m_worker.outcome();
+    if (outcome.number == m_asked) {
+        m_isComputing = false;
+        m_failure = outcome.failure;
+        if (m_failure.empty()) take(outcome.answer);
+    }
+    emit changed();
+}
+
+/// Two curves in one plot are to differ by the organ alone, unless the user chose what to compare with.
+void PokeTest::take(const Motion& motion) {
+    if (!m_isKept && m_latest && !movesAlike(m_latest->project, motion->project)) m_former = m_latest;
+    m_latest = motion;
+    m_isOutdated = !movesAlike(motion->project, m_document.project());
+    fitPlayer();
+}
+
+/// Nothing can be shown on an organ of other nodes.
+void PokeTest::fitPlayer() {
+    double duration = 0;
+    if (m_latest && m_latest->project.network == m_document.project().network)
+        for (const Motion& motion : {m_latest, m_former})
+            if (motion) duration = std::max(duration, motion->pictures.back().time);
+    if (duration != m_player.duration()) m_player.setDuration(duration);
+}
+
+void PokeTest::keepLatest() {
+    m_former = m_latest;
+    m_isKept = m_former != nullptr;
+    emit changed();
+}
+
+void PokeTest::forgetFormer() {
+    m_former.reset();
+    m_isKept = false;
+    fitPlayer();
+    emit changed();
+}
+
+/// Another net of the same surface is still the organ that was poked.
+void PokeTest::followDocument(const Change& change) {
+    if (m_latest && m_latest->project.mesh != m_document.project().mesh) return forget();
+    if (m_poke && !m_latest && change.mesh) return forget();
+    if (m_latest) m_isOutdated = !movesAlike(m_latest->project, m_document.project());
+    if (change.mesh && isRecording()) stop();
+    fitPlayer();
+    emit changed();
+}
+
+void PokeTest::forget() {
+    cancel();
+    m_preview.endRecording();
+    m_recording.stop();
+    m_poke.reset();
+    m_latest.reset();
+    m_former.reset();
+    m_failure.clear();
+    m_isKept = m_isOutdated = false;
+    fitPlayer();
+    emit changed();
+}
+
+} // namespace esm

@@ -1,0 +1,113 @@
+#include "app/editor/panels/measure/measure_column.h"
+#include "core/project/detail_change.h"
+#include "core/samples/samples.h"
+#include "tests/app/editor_driver.h"
+#include "tests/support/temporary_folder.h"
+
+using namespace esm;
+
+namespace {
+
+class PokeScreenTest : public EditorTest {
+protected:
+    void SetUp() override {
+        open(withDetail(makeSample("liver"), {Detail::Kind::Nodes, 500}));
+        window->windowActions().measure->trigger();
+        child<QTabBar>("measurePages")->setCurrentIndex(2);
+    }
+    bool isSaid(const char* label, const QString& text) { return child<QLabel>(label)->text() == text; }
+    QPushButton& button(const char* name) { return *child<QPushButton>(name); }
+
+    /// Presses Record, pulls at the middle of the organ, and presses Stop.
+    void poke() {
+        button("recordPoke").click();
+        ESM_EVENTUALLY(!isSaid("pokeLength", "none yet") && !isSaid("pokeLength", "0.0 s"));
+        QWidget& view = window->view();
+        const QPoint middle = view.rect().center();
+        QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+        moveMouse(middle + QPoint(40, 20));
+        ESM_EVENTUALLY(window->preview().status().pull.has_value());
+        QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(40, 20));
+        button("recordPoke").click();
+        ESM_EVENTUALLY(!isSaid("pokeForce", QChar(0x2013)));
+    }
+    void stiffen() {
+        window->document().edit("stiffen", [](Project& project) {
+            for (Region& region : project.regions)
+                region.held.springConstant = 3 * region.held.springConstant.value_or(100);
+        });
+    }
+};
+
+TEST_F(PokeScreenTest, APokeIsRecordedRepeatedAndWatchedBesideTheOneBefore) {
+    EXPECT_EQ(toolInHand(), "pull");
+    EXPECT_FALSE(button("repeatPoke").isEnabled());
+    EXPECT_FALSE(button("watchPoke").isEnabled());
+    poke();
+    EXPECT_EQ(button("recordPoke").text(), "Record");
+    const double soft = child<QLabel>("pokeForce")->text().toDouble();
+    EXPECT_GT(soft, 0);
+    stiffen();
+    EXPECT_TRUE(child<QLabel>("pokeMessage")->text().contains("repeat"));
+    button("repeatPoke").click();
+    ESM_EVENTUALLY(!isSaid("pokeForceBefore", QChar(0x2013)));
+    EXPECT_GT(child<QLabel>("pokeForce")->text().toDouble(), 1.2 * soft);
+
+    window->preview().setPlaying(true);
+    ESM_EVENTUALLY(window->preview().status().playing);
+    EXPECT_FALSE(child<QWidget>("formerView")->isVisible());
+    button("watchPoke").click();
+    EXPECT_TRUE(child<QWidget>("formerView")->isVisible());
+    EXPECT_EQ(toolInHand(), "look");
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    button("leavePoke").click();
+    EXPECT_FALSE(child<QWidget>("formerView")->isVisible());
+    ESM_EVENTUALLY(window->preview().status().playing);
+}
+
+TEST_F(PokeScreenTest, AMomentShowsTheOrganAsItWasPulledAndTheOtherTurnsAlong) {
+    poke();
+    child<QPushButton>("keepPoke")->click();
+    button("repeatPoke").click();
+    ESM_EVENTUALLY(button("repeatPoke").isEnabled() && !button("cancelPoke").isEnabled());
+    auto* slider = child<QSlider>("pokeMoment");
+    slider->setValue(slider->maximum() / 2);
+    auto* former = child<OrganView>("formerView");
+    ASSERT_TRUE(former->isVisible());
+    const auto& rest = window->document().project().network->restPositions;
+    EXPECT_NE(window->view().scene().nodePositions, rest);
+    EXPECT_EQ(former->scene().nodePositions, window->view().scene().nodePositions) << "the same tissue";
+    window->view().showView(StandardView::Top);
+    EXPECT_TRUE(former->camera() == window->view().camera());
+    former->showView(StandardView::Left);
+    EXPECT_TRUE(former->camera() == window->view().camera());
+    slider->setValue(0);
+    const double apart = (window->view().scene().nodePositions[40] - rest[40]).norm();
+    EXPECT_LT(apart, 1e-6) << "it began at rest";
+}
+
+TEST_F(PokeScreenTest, WhoTakesAToolWantsTheLivingOrgan) {
+    poke();
+    button("watchPoke").click();
+    EXPECT_TRUE(button("leavePoke").isEnabled());
+    window->windowActions().tool("pull")->trigger();
+    EXPECT_FALSE(button("leavePoke").isEnabled());
+    button("watchPoke").click();
+    child<QTabBar>("measurePages")->setCurrentIndex(0);
+    EXPECT_FALSE(button("leavePoke").isEnabled());
+    child<QTabBar>("measurePages")->setCurrentIndex(2);
+    button("watchPoke").click();
+    window->windowActions().tissue->trigger();
+    EXPECT_FALSE(button("leavePoke").isEnabled());
+}
+
+TEST_F(PokeScreenTest, AFilmIsWrittenWhereTheUserSays) {
+    const TemporaryFolder folder;
+    poke();
+    dialogs.expectFile(folder / "poke.avi");
+    button("saveFilm").click();
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_GT(std::filesystem::file_size(folder / "poke.avi"), 10000U);
+}
+
+} // namespace
