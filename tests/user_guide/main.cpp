@@ -12,7 +12,9 @@
 #include "tests/user_guide/guided_window.h"
 
 #include <QAbstractButton>
+#include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 
 #include <algorithm>
 #include <cstdio>
@@ -103,6 +105,36 @@ void showMeasuring(const std::filesystem::path& folder) {
     guided.take("measure");
 }
 
+/// A lobe is pulled, and pulled again when it is firmer.
+void showPoke(const std::filesystem::path& folder) {
+    GuidedWindow guided(esm::makeSample("liver"), folder);
+    guided.window().windowActions().measure->trigger();
+    guided.part<QTabBar>("measurePages").setCurrentIndex(2);
+    auto& record = guided.part<QPushButton>("recordPoke");
+    const auto& length = guided.part<QLabel>("pokeLength");
+    const auto& cancel = guided.part<QPushButton>("cancelPoke");
+    record.click();
+    const auto lasts = [&](double seconds) {
+        return [&length, seconds] {
+            return length.text().section(QLatin1Char(' '), 0, 0).toDouble() >= seconds;
+        };
+    };
+    waitFor("the recording", lasts(0.3));
+    guided.press(0.4, 0.5);
+    guided.drag(0.33, 0.4);
+    waitFor("the pull", lasts(0.9));
+    guided.release(0.33, 0.4);
+    waitFor("rest", lasts(2.6));
+    record.click();
+    waitFor("the motion", [&] { return !cancel.isEnabled(); });
+    guided.window().document().edit(
+        "firmer", [](esm::Project& project) { project.regions.front().inputs.begin()->second = 9; });
+    guided.part<QPushButton>("repeatPoke").click();
+    waitFor("the motion of firmer tissue", [&] { return !cancel.isEnabled(); });
+    guided.part<QSlider>("pokeMoment").setValue(22);
+    guided.take("poke");
+}
+
 void showPhotos(const std::filesystem::path& folder, const std::filesystem::path& scratch) {
     GuidedWindow guided(esm::makeSample("liver"), folder);
     guided.window().preview().setPlaying(false);
@@ -135,5 +167,6 @@ int main(int argc, char** argv) {
     showTissue(folder);
     showColours(folder);
     showMeasuring(folder);
+    showPoke(folder);
     showPhotos(folder, scratch.folder());
 }

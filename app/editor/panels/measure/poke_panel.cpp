@@ -23,6 +23,10 @@ QString secondsText(double seconds) {
     return decimalText(seconds, 1) + QStringLiteral(" s");
 }
 
+bool acts(const HandMoment& moment) {
+    return moment.loads.pull || moment.loads.instrument;
+}
+
 /// The largest of a quantity in a motion, in a unit; none without a motion.
 std::optional<double> largest(const PokeTest::Motion& motion, double PokePicture::*quantity, double unit) {
     if (!motion) return std::nullopt;
@@ -178,6 +182,8 @@ QString PokePanel::remark() const {
     const PokeTest::Motion& latest = m_test.latest();
     if (!latest) return {};
     if (m_test.isOutdated()) return tr("Computed before the last change of the organ: repeat it.");
+    if (std::none_of(m_test.poke()->moments.begin(), m_test.poke()->moments.end(), acts))
+        return tr("Your hand touched nothing: pull or push the organ while it is recorded.");
     if (!latest->failure.empty())
         return tr("The motion ends early: %1").arg(QString::fromStdString(latest->failure));
     return {};
