@@ -2,7 +2,6 @@
 
 #include "core/dynamics/block_entries.h"
 #include "core/dynamics/motion.h"
-#include "core/dynamics/statics/sphere_contacts.h"
 
 #include <limits>
 #include <optional>
@@ -27,7 +26,7 @@ public:
 
     double value(const Vectors& positions) const;                 ///< J
     void forces(const Vectors& positions, Vectors& forces) const; ///< N, in place of what was there
-    void addStiffness(const Vectors& positions, Curvature curvature, BlockEntries& entries) const;
+    void addStiffness(const Vectors& positions, BlockEntries& entries) const;
 
 private:
     const SpringSystem& m_system;

@@ -1,8 +1,10 @@
 #include "core/probing/probe.h"
 
+#include "core/project/project.h"
 #include "core/project/shared_tissue.h"
 #include "core/project/simulated_network.h"
 #include "core/project/wall.h"
+#include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/elastic_block.h"
 #include "tests/support/solid_surfaces.h"
@@ -172,6 +174,25 @@ TEST(Probe, RefusesToPressThroughTheOrgan) {
     } catch (const InvalidModel& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("30 mm thick"));
     }
+}
+
+// Places at which a surface that bends freely snaps through, or leaves the finger next to no force: the
+// search for balance must not depend on how the press is divided.
+TEST(Probe, PressesASoftLiverByLittle) {
+    const Project liver = makeSample("liver");
+    const TissueModel model = evaluateModel(liver);
+    const TouchedSurface surface = touchedSurface(*liver.mesh, *liver.network);
+    for (const Vector3d& place :
+         {Vector3d(-0.00291750116, -0.00812230166, 0.0477734199), Vector3d(0.02, 0, 0.047)})
+        for (const int steps : {1, 10}) {
+            ProbeSettings settings;
+            settings.place = place;
+            settings.depth = 0.0005;
+            settings.steps = steps;
+            const double force = probe({model, surface}, settings).curve.back().force;
+            EXPECT_GT(force, 1e-5) << place.transpose() << ", steps " << steps;
+            EXPECT_LT(force, 1e-3) << place.transpose() << ", steps " << steps;
+        }
 }
 
 TEST_F(TriangleProbe, CanBeCancelled) {

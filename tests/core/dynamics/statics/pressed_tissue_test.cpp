@@ -1,7 +1,10 @@
 #include "core/dynamics/statics/pressed_tissue.h"
 
+#include "core/dynamics/forces.h"
 #include "core/dynamics/simulation.h"
+#include "tests/support/flat_nets.h"
 #include "tests/support/tethered_triangle.h"
+#include "tests/support/tissue_models.h"
 
 #include <gtest/gtest.h>
 
@@ -88,6 +91,52 @@ TEST(PressedTissue, FeelsTheSameInOneStepAndInMany) {
     for (int i = 1; i <= 8; ++i)
         often.settle(AtDepth{0.0005 * i});
     EXPECT_NEAR(once.force(), often.force(), 0.002 * once.force());
+}
+
+/// A flat net that bends freely, of triangles with sides of 5 mm, its border fixed.
+TissueModel flatNet(TriangleMesh& mesh) {
+    mesh = test::regularNet(12, 14);
+    const Vector3d middle = mesh.vertices[7 * 13 + 6];
+    for (Vector3d& vertex : mesh.vertices)
+        vertex = 0.005 * (vertex - middle);
+    TissueModel model = tissue::fromMesh(mesh, {10, 1, 1e-3});
+    const std::vector<bool> border = test::isAtBorder(mesh);
+    for (std::uint32_t node = 0; node < border.size(); ++node)
+        if (border[node]) model.fixedNodes.push_back(node);
+    return model;
+}
+
+// Nothing of it resists a push across until it is stretched: its force grows from nothing with the third
+// power of the depth, while the finger touches a node alone. What the finger pushes with is what the border
+// bears.
+TEST(PressedTissue, PressesASheetThatResistsNothingAcross) {
+    TriangleMesh mesh;
+    const TissueModel model = flatNet(mesh);
+    const SpringSystem system = makeSpringSystem(model);
+    const auto forceAt = [&](double depth) {
+        PressedTissue tissue(system, mesh.triangles, fingerAbove(Vector3d::Zero(), 0.008));
+        tissue.settle(AtDepth{depth});
+        Vectors forces;
+        elasticForces(system, tissue.positions(), forces);
+        double borne = 0;
+        for (const std::uint32_t node : model.fixedNodes)
+            borne -= forces[node].z();
+        EXPECT_NEAR(tissue.force(), borne, 0.01 * borne) << depth;
+        return tissue.force();
+    };
+    for (const double depth : {5e-5, 1e-4, 2e-4})
+        EXPECT_NEAR(forceAt(2 * depth) / forceAt(depth), std::pow(2, 3), 0.05 * 8) << depth;
+}
+
+TEST(PressedTissue, PressesASheetThatResistsNothingAcrossInManySmallSteps) {
+    TriangleMesh mesh;
+    const TissueModel model = flatNet(mesh);
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue often(system, mesh.triangles, fingerAbove(Vector3d::Zero(), 0.008)), once = often;
+    for (int i = 1; i <= 40; ++i)
+        often.settle(AtDepth{5e-5 * i});
+    once.settle(AtDepth{0.002});
+    EXPECT_NEAR(often.force(), once.force(), 2 * accuracy * once.force());
 }
 
 // Against dampers alone: a step after step creep to the depth at rest with the time d/c.
