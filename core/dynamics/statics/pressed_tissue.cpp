@@ -214,8 +214,9 @@ std::optional<NewtonWay> PressedTissue::newtonWay(const Vectors& forces, double 
         entries.add(i, i, tie * Eigen::Matrix3d::Identity());
     const std::optional<BlockFactor> factor = m_factoriser.factorise(entries.matrix(), m_rowPlaces);
     if (!factor) return {};
-    const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions, entries);
-    return esm::newtonWay(*factor, entries, {forces, push, m_pushed});
+    const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions);
+    const GlobalTerms fluids = globalTermsOf(m_system, m_motion.positions, 1);
+    return esm::newtonWay({*factor, entries, fluids}, {forces, push, m_pushed});
 }
 
 /// J, by which the potential changes along a way from a place on it.
@@ -228,9 +229,7 @@ double PressedTissue::slopeAlong(const NewtonWay& way, double depth, const Vecto
         const double push = m_contacts.force(centre(depth), positions).dot(m_indenter.inwards);
         slope = (push - *m_pushed) * way.depth;
     }
-    for (std::size_t i = 0; i < forces.size(); ++i)
-        slope -= forces[i].dot(way.nodes[i]);
-    return slope;
+    return slope - scalarProduct(forces, way.nodes);
 }
 
 /// As much of the way as lowers the potential; false where none does.

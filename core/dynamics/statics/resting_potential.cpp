@@ -1,5 +1,6 @@
 #include "core/dynamics/statics/resting_potential.h"
 
+#include "core/dynamics/fluid_entries.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/hinge_entries.h"
 #include "core/dynamics/spring_force.h"
@@ -77,6 +78,10 @@ void RestingPotential::addStiffness(const Vectors& positions, BlockEntries& entr
     for (const Tether& tether : m_system.tethers)
         entries.add(tether.node, tether.node,
                     (tether.springConstant + rate * tether.viscosity) * Matrix3d::Identity());
+    for (const SpringSystem::Filled& cavity : m_system.cavities) {
+        const Vectors places = placesOf(*cavity.wall, positions);
+        addTurning(cavity, ownPressure(cavity, volumeOf(*cavity.wall, places).volume), places, entries);
+    }
     if (rate == 0) return;
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         entries.add(i, i, rate * rate * m_system.mass[i] * Matrix3d::Identity());

@@ -162,10 +162,10 @@ void SphereContacts::addStiffness(const Vector3d& centre, const Vectors& positio
     }
 }
 
-PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centre, const Vectors& positions,
-                                const BlockEntries& rows) const {
+PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centre,
+                                const Vectors& positions) const {
     PushAlong result;
-    result.coupling = Eigen::VectorXd::Zero(rows.rowCount());
+    result.coupling.assign(positions.size(), Vector3d::Zero());
     for (const Near& near : m_near) {
         const Standing now = standing(near, centre, positions);
         if (now.push <= 0) continue;
@@ -173,8 +173,8 @@ PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centr
         result.force += now.push * slope;
         result.stiffness += near.hardness * slope * slope;
         for (std::size_t i = 0; i < 3; ++i)
-            if (const int row = rows.rowOf(cornersOf(near)[i]); row >= 0)
-                result.coupling.segment<3>(row) -=
+            if (const std::uint32_t node = cornersOf(near)[i]; !m_immovable[node])
+                result.coupling[node] -=
                     now.weights[static_cast<Eigen::Index>(i)] * near.hardness * slope * now.outward;
     }
     return result;

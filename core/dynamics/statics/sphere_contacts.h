@@ -10,9 +10,9 @@ namespace esm {
 
 /// What the pushes of a sphere on its way do, seen from the sphere.
 struct PushAlong {
-    double force = 0;         ///< N, along its way, on the tissue
-    double stiffness = 0;     ///< N/m, by which that grows on the way while the tissue stays
-    Eigen::VectorXd coupling; ///< N/m, by row of the tissue's matrix
+    double force = 0;     ///< N, along its way, on the tissue
+    double stiffness = 0; ///< N/m, by which that grows on the way while the tissue stays
+    Vectors coupling;     ///< N/m, by which the forces on the nodes fall on the way
 };
 
 /// Keeps the triangles of a surface out of a sphere by pushes at their nearest points, without friction: the
@@ -38,8 +38,8 @@ public:
     void addForces(const Eigen::Vector3d& centre, const Vectors& positions, Vectors& forces) const;
     void addStiffness(const Eigen::Vector3d& centre, const Vectors& positions, BlockEntries& entries) const;
     /// @param direction of length 1
-    PushAlong along(const Eigen::Vector3d& direction, const Eigen::Vector3d& centre, const Vectors& positions,
-                    const BlockEntries& rows) const;
+    PushAlong along(const Eigen::Vector3d& direction, const Eigen::Vector3d& centre,
+                    const Vectors& positions) const;
     /// N, of the sphere on the tissue, and the sum of all pushes' sizes.
     Eigen::Vector3d force(const Eigen::Vector3d& centre, const Vectors& positions) const;
     double pushes(const Eigen::Vector3d& centre, const Vectors& positions) const;

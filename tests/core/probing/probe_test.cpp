@@ -9,6 +9,7 @@
 #include "tests/support/elastic_block.h"
 #include "tests/support/solid_surfaces.h"
 #include "tests/support/tethered_triangle.h"
+#include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -193,6 +194,46 @@ TEST(Probe, PressesASoftLiverByLittle) {
             EXPECT_GT(force, 1e-5) << place.transpose() << ", steps " << steps;
             EXPECT_LT(force, 1e-3) << place.transpose() << ", steps " << steps;
         }
+}
+
+/// A ball on tethers, with a fluid in it.
+TissueModel filledBall(const TriangleMesh& ball, double stiffness) {
+    TissueModel model = tissue::fromMesh(ball, {20, 1, 1e-3});
+    for (std::uint32_t node = 0; node < ball.vertices.size(); ++node)
+        model.tethers.push_back({node, 4, 0.2});
+    model.cavities = {cavityOf(ball.vertices, ball.triangles, 0)};
+    model.cavities.front().stiffness = stiffness;
+    return model;
+}
+
+TEST(Probe, FindsABallFirmerTheStifferItsFluid) {
+    const TriangleMesh ball = tissue::sphereMesh(3, 0.05);
+    const TouchedSurface surface{ball.triangles};
+    ProbeSettings settings;
+    settings.place = {0, 0, 0.05};
+    settings.radius = 0.02;
+    settings.steps = 2;
+    double before = 0;
+    for (const double stiffness : {10.0, 1e4, 1e7}) {
+        const double force = probe({filledBall(ball, stiffness), surface}, settings).curve.back().force;
+        EXPECT_GT(force, before) << stiffness;
+        before = force;
+    }
+}
+
+TEST(Probe, RefusesAnOrganThatStandsUnderAPressure) {
+    const TriangleMesh ball = tissue::sphereMesh(2, 0.05);
+    const TouchedSurface surface{ball.triangles};
+    TissueModel model = filledBall(ball, 1e4);
+    model.cavities.front().largestPressure = 100;
+    ProbeSettings settings;
+    settings.place = {0, 0, 0.05};
+    try {
+        probe({model, surface}, settings);
+        FAIL();
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("take the pressure out"));
+    }
 }
 
 TEST_F(TriangleProbe, CanBeCancelled) {

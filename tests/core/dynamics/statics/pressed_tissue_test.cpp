@@ -52,19 +52,13 @@ TissueModel seatedBall(const TriangleMesh& mesh) {
     return model;
 }
 
-// Impulses in a run of the program's own simulation that has come to rest: another way to the same place.
-TEST(PressedTissue, HasTheForceThatASimulationComesTo) {
-    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
-    const TissueModel model = seatedBall(mesh);
-    const SpringSystem system = makeSpringSystem(model);
-    constexpr double depth = 0.004, radius = 0.02;
-    const Indenter finger = fingerAbove({0, 0, 0.05}, radius);
-    PressedTissue tissue(system, mesh.triangles, finger);
-    tissue.settle(AtDepth{depth});
-
+/// N, from impulses in a run of the program's own simulation that has come to rest: another way to the same
+/// place.
+double simulatedForce(const TissueModel& model, const TriangleMesh& mesh, const Indenter& finger,
+                      double depth) {
     Simulation simulation(model, {}, TouchedSurface(mesh.triangles));
     Loads loads;
-    loads.instruments = {sphereAt(finger.start, radius)};
+    loads.instruments = {sphereAt(finger.start, finger.radius)};
     simulation.placeInstruments({loads.instruments[0].pose});
     Vector3d before = Vector3d::Zero();
     double begin = 0;
@@ -73,13 +67,86 @@ TEST(PressedTissue, HasTheForceThatASimulationComesTo) {
         begin = simulation.time();
         while (simulation.time() < end) {
             const double part = std::min(1.0, simulation.time() + simulation.timeStep());
-            loads.instruments = {sphereAt(finger.start + part * depth * finger.inwards, radius)};
-            ASSERT_TRUE(simulation.step(loads)) << simulation.failure();
+            loads.instruments = {sphereAt(finger.start + part * depth * finger.inwards, finger.radius)};
+            EXPECT_TRUE(simulation.step(loads)) << simulation.failure();
         }
     }
-    const double force =
-        (simulation.instrumentTouches()[0].impulse - before).z() / (simulation.time() - begin);
+    return (simulation.instrumentTouches()[0].impulse - before).z() / (simulation.time() - begin);
+}
+
+TEST(PressedTissue, HasTheForceThatASimulationComesTo) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = seatedBall(mesh);
+    const SpringSystem system = makeSpringSystem(model);
+    constexpr double depth = 0.004;
+    const Indenter finger = fingerAbove({0, 0, 0.05}, 0.02);
+    PressedTissue tissue(system, mesh.triangles, finger);
+    tissue.settle(AtDepth{depth});
+    const double force = simulatedForce(model, mesh, finger, depth);
     EXPECT_NEAR(tissue.force(), force, 0.01 * force);
+}
+
+/// The same ball with a fluid in it, Pa.
+TissueModel filledBall(const TriangleMesh& mesh, double stiffness) {
+    TissueModel model = seatedBall(mesh);
+    model.cavities = {cavityOf(mesh.vertices, mesh.triangles, 0)};
+    model.cavities.front().stiffness = stiffness;
+    return model;
+}
+
+TEST(PressedTissue, HasTheForceThatASimulationOfAFluidComesTo) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = filledBall(mesh, 1e5), dry = seatedBall(mesh);
+    constexpr double depth = 0.003;
+    const Indenter finger = fingerAbove({0, 0, 0.05}, 0.02);
+    const double force = simulatedForce(model, mesh, finger, depth);
+    const auto balancedForce = [&](const TissueModel& ball) {
+        const SpringSystem system = makeSpringSystem(ball);
+        PressedTissue tissue(system, mesh.triangles, finger);
+        tissue.settle(AtDepth{depth});
+        return tissue.force();
+    };
+    EXPECT_NEAR(balancedForce(model), force, 0.01 * force);
+    EXPECT_LT(balancedForce(dry), 0.98 * force) << "the fluid resists";
+}
+
+TEST(PressedTissue, KeepsTheVolumeOfAStiffFluid) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = filledBall(mesh, 1e6);
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue tissue(system, mesh.triangles, fingerAbove({0, 0, 0.05}, 0.02));
+    for (const double depth : {0.005, 0.015}) {
+        tissue.settle(AtDepth{depth});
+        const SpringSystem::Filled& fluid = system.cavities.front();
+        EXPECT_NEAR(volumesOf(system, tissue.positions()).front(), fluid.restVolume, 1e-3 * fluid.restVolume);
+        EXPECT_GT(ownPressure(fluid, volumesOf(system, tissue.positions()).front()), 0);
+    }
+}
+
+// What a finger does on a small way is what all of the tissue stores.
+TEST(PressedTissue, StoresTheWorkOfTheFinger) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = filledBall(mesh, 1e5);
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue tissue(system, mesh.triangles, fingerAbove({0, 0, 0.05}, 0.02));
+    constexpr double depth = 0.01, way = 1e-4;
+    std::vector<double> energies, forces;
+    for (const double at : {depth - way, depth, depth + way}) {
+        tissue.settle(AtDepth{at});
+        energies.push_back(energy(system, tissue.positions(), {}).elastic);
+        forces.push_back(tissue.force());
+    }
+    EXPECT_NEAR((energies[2] - energies[0]) / (2 * way), forces[1], 0.003 * forces[1]);
+}
+
+TEST(PressedTissue, ComesToAGivenForceAgainstAFluid) {
+    const TriangleMesh mesh = tissue::sphereMesh(3, 0.05);
+    const TissueModel model = filledBall(mesh, 1e5);
+    const SpringSystem system = makeSpringSystem(model);
+    PressedTissue byDepth(system, mesh.triangles, fingerAbove({0, 0, 0.05}, 0.02)), byForce = byDepth;
+    byDepth.settle(AtDepth{0.006});
+    byForce.settle(UnderForce{byDepth.force()});
+    EXPECT_NEAR(byForce.depth(), 0.006, accuracy * 0.006);
 }
 
 TEST(PressedTissue, FeelsTheSameInOneStepAndInMany) {
