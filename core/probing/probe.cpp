@@ -40,11 +40,11 @@ void requirePressable(const ProbedOrgan& organ) {
         throw InvalidModel("the organ moves as one stiff piece, which no finger can dent: choose a detail "
                            "with nodes or fill it");
     if (organ.surface.empty()) throw InvalidModel("the organ has no surface that a finger could touch");
-    // A fluid ties all nodes of its wall to each other, which the matrix of the balance does not have.
-    if (!organ.model.cavities.empty())
-        throw InvalidModel(
-            "fluid fills or presses parts of the organ, against which no finger can be computed "
-            "yet: take the fluid and the pressure out first");
+    // Under a pressure the organ rests elsewhere than where it is drawn, and the finger would miss it.
+    if (std::any_of(organ.model.cavities.begin(), organ.model.cavities.end(),
+                    [](const Cavity& cavity) { return cavity.largestPressure > 0; }))
+        throw InvalidModel("a pressure acts within the organ, against which no finger can be computed yet: "
+                           "take the pressure out first; a fluid that keeps its volume can stay");
     if (organ.model.fixedNodes.size() >= organ.model.mass.size())
         throw InvalidModel("every node is fixed, so that nothing can be pressed in: fix fewer");
 }

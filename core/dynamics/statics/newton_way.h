@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/dynamics/elimination/block_factor.h"
+#include "core/dynamics/global_terms.h"
 #include "core/dynamics/statics/sphere_contacts.h"
 
 #include <optional>
@@ -21,9 +22,14 @@ struct Unbalanced {
     std::optional<double> pushed; ///< N, on the sphere; none: it stays at its depth
 };
 
+/// The curvature of a potential: a sparse matrix, and what stands beside it.
+struct PotentialCurvature {
+    const BlockFactor& factor;
+    const BlockEntries& rows; ///< of the matrix that the factor is of
+    const GlobalTerms& terms; ///< N/m
+};
+
 /// A step of Newton's method. None where it would not go downhill.
-/// @param factor of the matrix that `rows` are of
-std::optional<NewtonWay> newtonWay(const BlockFactor& factor, const BlockEntries& rows,
-                                   const Unbalanced& unbalanced);
+std::optional<NewtonWay> newtonWay(const PotentialCurvature& curvature, const Unbalanced& unbalanced);
 
 } // namespace esm

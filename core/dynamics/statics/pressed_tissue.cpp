@@ -1,6 +1,8 @@
 #include "core/dynamics/statics/pressed_tissue.h"
 
+#include "core/dynamics/statics/line_search.h"
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +13,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double closeness = 1e-5;      ///< in radii, of triangles that were not known to be inside
-constexpr double steady = 3e-4;         ///< of the force, from one update of the pushes to the next
-constexpr double balanced = 1e-6;       ///< of forces that are left, over the pushes
-constexpr double looseness = 0.01;      ///< of the balance, while the pushes still change by all
-constexpr double nearlyBalanced = 1e-4; ///< the same where rounding lets nothing more be gained
-constexpr double smallMove = 1e-4;      ///< in radii
-constexpr double firstTouch = 1e-3;     ///< in radii
-constexpr int mostRounds = 60, mostDownhillSteps = 300, mostShortenings = 30, mostShifts = 8;
-constexpr double leastPromisedPart = 1e-4; ///< of what the slope promises (Armijo 1966)
+constexpr double closeness = 1e-5; ///< in radii, of triangles that were not known to be inside
+constexpr double steady = 3e-4;    ///< of the force, from one update of the pushes to the next
+constexpr double balanced = 1e-6;  ///< of forces that are left, over the pushes
+constexpr double looseness = 0.01; ///< of the balance, while the pushes still change by all
+/// The same where rounding lets nothing more be gained, or after many steps down a valley with next to no
+/// slope, as of a net that shears freely: the force is known long before the place is.
+constexpr double nearlyBalanced = 1e-4;
+constexpr double leastMove = 1e-9;  ///< in radii
+constexpr double firstTouch = 1e-3; ///< in radii
+constexpr double leastTie = 1e-8;   ///< of what resists the stiffest node
+constexpr double tieGrowth = 8;
+constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 300, mostTies = 16;
 
 /// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
 std::vector<double> nodeStiffness(const SpringSystem& system, double rate) {
@@ -128,9 +133,9 @@ void PressedTissue::balance() {
     double changed = 1;
     for (int round = 0; round < mostRounds; ++round) {
         const double before = m_depth;
-        const double loose = std::max(balanced, looseness * changed);
+        const double loose = std::clamp(looseness * changed, balanced, looseness);
         minimise(loose);
-        changed = m_contacts.update(centre(m_depth), m_motion.positions);
+        changed = besidePushes(m_contacts.update(centre(m_depth), m_motion.positions));
         if (m_pushed) // whose force is there from the first round on
             changed = std::max(changed, std::abs(m_depth - before) /
                                             std::max(std::abs(m_depth), firstTouch * m_indenter.radius));
@@ -138,19 +143,38 @@ void PressedTissue::balance() {
             m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
         if (changed <= steady && !isNew && loose <= looseness * steady) return;
     }
-    throw InvalidModel("the tissue beneath the finger comes to no rest: press less deep, or in more steps");
+    findsNoBalance();
 }
 
-/// What forces leave over, relative to the pushes; on nodes, where these are small, to what moves one a
-/// little.
+void PressedTissue::findsNoBalance() const {
+    const bool bendsFreely = m_system.hinges.empty() && !m_system.network->lattice;
+    throw InvalidModel("the tissue beneath the finger finds no balance at a depth of " +
+                       roundedText(1000 * m_depth, 3) + " mm: press less deep or at another place" +
+                       (bendsFreely ? ", or let the surface resist bending, without which it folds in many "
+                                      "ways of nearly the same energy"
+                                    : ""));
+}
+
+/// N, that moves a node by next to nothing: less is no force. Where tissue folds away from the finger, or is
+/// a net that shears freely, there is none to be relative to.
+double PressedTissue::leastForce() const {
+    return leastMove * m_indenter.radius * m_stiffest;
+}
+
+/// Of what forces are, relative to the pushes.
+double PressedTissue::besidePushes(double force) const {
+    if (force <= leastForce()) return 0;
+    return force / std::max({m_contacts.pushes(centre(m_depth), m_motion.positions), m_pushed.value_or(0),
+                             leastForce()});
+}
+
+/// What forces leave over.
 double PressedTissue::imbalance(const Vectors& forces) const {
     double largest = 0;
     for (const Vector3d& force : forces)
         largest = std::max(largest, force.norm());
-    const double pushed = m_pushed.value_or(0);
-    const double left = largest / std::max({m_contacts.pushes(centre(m_depth), m_motion.positions), pushed,
-                                            smallMove * m_indenter.radius * m_stiffest});
-    return m_pushed ? std::max(left, std::abs(pushed - force()) / pushed) : left;
+    const double left = besidePushes(largest);
+    return m_pushed ? std::max(left, std::abs(*m_pushed - force()) / *m_pushed) : left;
 }
 
 void PressedTissue::minimise(double tolerance) {
@@ -160,56 +184,71 @@ void PressedTissue::minimise(double tolerance) {
         m_potential.forces(m_motion.positions, forces);
         m_contacts.addForces(centre(m_depth), m_motion.positions, forces);
         const double left = imbalance(forces);
-        if (left <= tolerance) return;
+        if (left <= tolerance || (step >= manySteps && left <= nearlyBalanced)) return;
         if (go(newtonWay(forces))) continue;
         if (left <= nearlyBalanced) return;
         break;
     }
-    throw InvalidModel("the tissue beneath the finger finds no balance, as where it folds: press less deep, "
-                       "or in more steps");
+    findsNoBalance();
 }
 
-// The exact curvature makes Newton's method converge in a few steps, where it is positive. Where it is not,
-// what may be negative is left out; and what nothing resists then, as a flat sheet across, is resisted a
-// little.
+// Pressed springs push their ends aside, so that the potential may bend downwards, where tissue is about to
+// fold; and nothing resists a flat sheet's motion across, or a net's that shears freely. Then all nodes are
+// tied to where they are by as little as makes the matrix positive (Levenberg 1944). Half of that matrix
+// being left out instead, the method would creep along a fold, whose way down is what is left out.
 NewtonWay PressedTissue::newtonWay(const Vectors& forces) {
-    if (auto way = newtonWay(forces, Curvature::Exact, 0)) return *way;
-    double shift = 0;
-    for (int attempt = 0; attempt < mostShifts; ++attempt) {
-        if (auto way = newtonWay(forces, Curvature::Positive, shift)) return *way;
-        shift = attempt == 0 ? 1e-9 * m_stiffest : 10 * shift;
-    }
+    m_tie /= tieGrowth * tieGrowth;
+    if (auto way = newtonWay(forces, 0)) return *way;
+    m_tie = std::max(m_tie, leastTie * m_stiffest);
+    for (int attempt = 0; attempt < mostTies; ++attempt, m_tie *= tieGrowth)
+        if (auto way = newtonWay(forces, m_tie)) return *way;
     throw InvalidModel("the tissue beneath the finger cannot be balanced, since next to nothing holds parts "
                        "of it: give it tethers or fixed nodes");
 }
 
-std::optional<NewtonWay> PressedTissue::newtonWay(const Vectors& forces, Curvature curvature, double shift) {
+std::optional<NewtonWay> PressedTissue::newtonWay(const Vectors& forces, double tie) {
     BlockEntries entries(m_system.fixed);
-    m_potential.addStiffness(m_motion.positions, curvature, entries);
-    m_contacts.addStiffness(centre(m_depth), m_motion.positions, curvature, entries);
+    m_potential.addStiffness(m_motion.positions, entries);
+    m_contacts.addStiffness(centre(m_depth), m_motion.positions, entries);
     for (std::uint32_t i = 0; i < forces.size(); ++i)
-        entries.add(i, i, shift * Eigen::Matrix3d::Identity());
+        entries.add(i, i, tie * Eigen::Matrix3d::Identity());
     const std::optional<BlockFactor> factor = m_factoriser.factorise(entries.matrix(), m_rowPlaces);
     if (!factor) return {};
-    const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions, entries);
-    return esm::newtonWay(*factor, entries, {forces, push, m_pushed});
+    const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions);
+    const GlobalTerms fluids = globalTermsOf(m_system, m_motion.positions, 1);
+    return esm::newtonWay({*factor, entries, fluids}, {forces, push, m_pushed});
+}
+
+/// J, by which the potential changes along a way from a place on it.
+double PressedTissue::slopeAlong(const NewtonWay& way, double depth, const Vectors& positions) const {
+    Vectors forces;
+    m_potential.forces(positions, forces);
+    m_contacts.addForces(centre(depth), positions, forces);
+    double slope = 0;
+    if (m_pushed) {
+        const double push = m_contacts.force(centre(depth), positions).dot(m_indenter.inwards);
+        slope = (push - *m_pushed) * way.depth;
+    }
+    return slope - scalarProduct(forces, way.nodes);
 }
 
 /// As much of the way as lowers the potential; false where none does.
 bool PressedTissue::go(const NewtonWay& way) {
-    const double here = potential(m_depth, m_motion.positions);
     Vectors tried(way.nodes.size());
-    double part = 1;
-    for (int shortening = 0; shortening < mostShortenings; ++shortening, part /= 2) {
+    const auto put = [&](double part) {
         for (std::size_t i = 0; i < tried.size(); ++i)
             tried[i] = m_motion.positions[i] + part * way.nodes[i];
-        const double depth = m_depth + part * way.depth;
-        if (!(potential(depth, tried) <= here + leastPromisedPart * part * way.slope)) continue;
-        m_motion.positions = std::move(tried);
-        m_depth = depth;
-        return true;
-    }
-    return false;
+        return m_depth + part * way.depth;
+    };
+    const auto at = [&](double part) {
+        const double depth = put(part);
+        return OnWay{potential(depth, tried), slopeAlong(way, depth, tried)};
+    };
+    const std::optional<double> part = lowerPart({potential(m_depth, m_motion.positions), way.slope}, at);
+    if (!part) return false;
+    m_depth = put(*part);
+    m_motion.positions = std::move(tried);
+    return true;
 }
 
 } // namespace esm

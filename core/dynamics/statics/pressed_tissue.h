@@ -57,9 +57,13 @@ private:
     void expect(const Vectors& change, double factor);
     void balance();
     void minimise(double tolerance);
+    [[noreturn]] void findsNoBalance() const;
+    double leastForce() const;
+    double besidePushes(double force) const;
     double imbalance(const Vectors& forces) const;
     NewtonWay newtonWay(const Vectors& forces);
-    std::optional<NewtonWay> newtonWay(const Vectors& forces, Curvature curvature, double shift);
+    std::optional<NewtonWay> newtonWay(const Vectors& forces, double tie);
+    double slopeAlong(const NewtonWay& way, double depth, const Vectors& positions) const;
     bool go(const NewtonWay& way);
 
     const SpringSystem& m_system;
@@ -73,6 +77,7 @@ private:
     std::optional<double> m_pushed; ///< N, where the force is given
     MatrixFactoriser m_factoriser;
     Vectors m_rowPlaces;   ///< m, of the matrix' rows
+    double m_tie = 0;      ///< N/m, by which all nodes were last tied to their places
     double m_stiffest = 0; ///< N/m, of all nodes
 };
 

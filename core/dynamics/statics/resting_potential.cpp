@@ -1,10 +1,9 @@
 #include "core/dynamics/statics/resting_potential.h"
 
+#include "core/dynamics/fluid_entries.h"
 #include "core/dynamics/forces.h"
 #include "core/dynamics/hinge_entries.h"
 #include "core/dynamics/spring_force.h"
-
-#include <algorithm>
 
 namespace esm {
 
@@ -65,27 +64,24 @@ void RestingPotential::forces(const Vectors& positions, Vectors& forces) const {
         if (m_system.fixed[i]) forces[i].setZero();
 }
 
-// Pressed springs push their ends aside, which can make the matrix indefinite: where tissue is about to
-// buckle, Newton's method would go uphill. Left out, each spring's part is positive semidefinite.
-void RestingPotential::addStiffness(const Vectors& positions, Curvature curvature,
-                                    BlockEntries& entries) const {
+void RestingPotential::addStiffness(const Vectors& positions, BlockEntries& entries) const {
     const double rate = m_lapse ? 1 / m_lapse->duration : 0;
     for (const auto& spring : m_system.springs) {
         const auto [direction, axial, lateral] = tangentOf(spring, differenceOf(spring, positions));
-        const double across =
-            (curvature == Curvature::Positive ? std::max(0.0, lateral) : lateral) + rate * spring.viscosity;
         const Matrix3d along = direction * direction.transpose();
         entries.addBetween(spring.first, spring.second,
-                           across * (Matrix3d::Identity() - along) +
+                           (lateral + rate * spring.viscosity) * (Matrix3d::Identity() - along) +
                                (axial + rate * spring.viscosity) * along);
     }
-    const HingeTangent tangent =
-        curvature == Curvature::Positive ? HingeTangent::WithoutStrain : HingeTangent::WithStrain;
     for (const auto& hinge : m_system.hinges)
-        addHinge(hinge, positions, tangent, {0, rate, 1}, entries);
+        addHinge(hinge, positions, HingeTangent::WithStrain, {0, rate, 1}, entries);
     for (const Tether& tether : m_system.tethers)
         entries.add(tether.node, tether.node,
                     (tether.springConstant + rate * tether.viscosity) * Matrix3d::Identity());
+    for (const SpringSystem::Filled& cavity : m_system.cavities) {
+        const Vectors places = placesOf(*cavity.wall, positions);
+        addTurning(cavity, ownPressure(cavity, volumeOf(*cavity.wall, places).volume), places, entries);
+    }
     if (rate == 0) return;
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         entries.add(i, i, rate * rate * m_system.mass[i] * Matrix3d::Identity());

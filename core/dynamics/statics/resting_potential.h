@@ -2,7 +2,6 @@
 
 #include "core/dynamics/block_entries.h"
 #include "core/dynamics/motion.h"
-#include "core/dynamics/statics/sphere_contacts.h"
 
 #include <limits>
 #include <optional>
@@ -15,8 +14,8 @@ struct TimeLapse {
     Motion before;
 };
 
-/// What tissue lowers by moving: at rest the energy of its springs, hinges and tethers. Over a time h it is
-/// what gives the step of the implicit Euler rule,
+/// What tissue lowers by moving: at rest the energy of its springs, hinges, tethers and fluids. Over a time h
+/// it is what gives the step of the implicit Euler rule,
 ///   E(x) + ½·(x − x₀ − h·v₀)ᵀ·M/h²·(x − x₀ − h·v₀) + ½·(x − x₀)ᵀ·D/h·(x − x₀),
 /// with damping that is isotropic. Nodes that are fixed stay where they are.
 class RestingPotential {
@@ -27,7 +26,8 @@ public:
 
     double value(const Vectors& positions) const;                 ///< J
     void forces(const Vectors& positions, Vectors& forces) const; ///< N, in place of what was there
-    void addStiffness(const Vectors& positions, Curvature curvature, BlockEntries& entries) const;
+    /// Without what ties all nodes of a fluid's wall to each other (globalTermsOf()).
+    void addStiffness(const Vectors& positions, BlockEntries& entries) const;
 
 private:
     const SpringSystem& m_system;

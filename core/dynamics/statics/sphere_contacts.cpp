@@ -2,6 +2,8 @@
 
 #include "core/geometry/nearest_weights.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,8 +46,9 @@ TriangleBlocks curvatureOfDistance(const std::array<Vector3d, 3>& corners, const
         changes(other, j) = 1;
         changes(base, j) = -1;
     }
+    // Along a side without length, or two of one direction, no point slides, rather than infinitely far.
     const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2, 2> slides =
-        (sides.transpose() * sides).inverse();
+        (sides.transpose() * sides).completeOrthogonalDecomposition().pseudoInverse();
     const Vector3d way = distance * outward;
     TriangleBlocks blocks;
     for (int a = 0; a < 3; ++a)
@@ -139,32 +142,30 @@ void SphereContacts::addForces(const Vector3d& centre, const Vectors& positions,
     }
 }
 
-void SphereContacts::addStiffness(const Vector3d& centre, const Vectors& positions, Curvature curvature,
+void SphereContacts::addStiffness(const Vector3d& centre, const Vectors& positions,
                                   BlockEntries& entries) const {
     for (const Near& near : m_near) {
         const Standing now = standing(near, centre, positions);
         if (now.push <= 0) continue;
         const Triangle& corners = cornersOf(near);
-        const bool isExact = curvature == Curvature::Exact;
-        TriangleBlocks bent;
-        if (isExact)
-            bent = curvatureOfDistance({positions[corners[0]], positions[corners[1]], positions[corners[2]]},
-                                       now.weights, now.outward, now.fromCentre);
+        const TriangleBlocks bent =
+            curvatureOfDistance({positions[corners[0]], positions[corners[1]], positions[corners[2]]},
+                                now.weights, now.outward, now.fromCentre);
         for (std::size_t a = 0; a < 3; ++a)
             for (std::size_t b = 0; b < 3; ++b) {
                 const double both =
                     now.weights[static_cast<Eigen::Index>(a)] * now.weights[static_cast<Eigen::Index>(b)];
-                Matrix3d block = both * near.hardness * now.outward * now.outward.transpose();
-                if (isExact) block -= now.push * bent[a][b];
-                entries.add(corners[a], corners[b], block);
+                entries.add(corners[a], corners[b],
+                            both * near.hardness * now.outward * now.outward.transpose() -
+                                now.push * bent[a][b]);
             }
     }
 }
 
-PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centre, const Vectors& positions,
-                                const BlockEntries& rows) const {
+PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centre,
+                                const Vectors& positions) const {
     PushAlong result;
-    result.coupling = Eigen::VectorXd::Zero(rows.rowCount());
+    result.coupling.assign(positions.size(), Vector3d::Zero());
     for (const Near& near : m_near) {
         const Standing now = standing(near, centre, positions);
         if (now.push <= 0) continue;
@@ -172,8 +173,8 @@ PushAlong SphereContacts::along(const Vector3d& direction, const Vector3d& centr
         result.force += now.push * slope;
         result.stiffness += near.hardness * slope * slope;
         for (std::size_t i = 0; i < 3; ++i)
-            if (const int row = rows.rowOf(cornersOf(near)[i]); row >= 0)
-                result.coupling.segment<3>(row) -=
+            if (const std::uint32_t node = cornersOf(near)[i]; !m_immovable[node])
+                result.coupling[node] -=
                     now.weights[static_cast<Eigen::Index>(i)] * near.hardness * slope * now.outward;
     }
     return result;
@@ -199,15 +200,12 @@ double SphereContacts::pushes(const Vector3d& centre, const Vectors& positions) 
 // What they do together is settled much sooner, and is all that tissue and sphere feel.
 double SphereContacts::update(const Vector3d& centre, const Vectors& positions) {
     Vector3d change = Vector3d::Zero();
-    double sum = 0;
     for (Near& near : m_near) {
         const Standing now = standing(near, centre, positions);
         change += (now.push - near.push) * now.outward;
-        sum += now.push;
         near.push = now.push;
     }
-    const double size = change.norm();
-    return size > 0 ? size / sum : 0;
+    return change.norm();
 }
 
 } // namespace esm

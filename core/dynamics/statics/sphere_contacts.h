@@ -8,14 +8,11 @@
 
 namespace esm {
 
-/// How a potential is curved, for Newton's method: as it is, or without what could make it bend downwards.
-enum class Curvature { Exact, Positive };
-
 /// What the pushes of a sphere on its way do, seen from the sphere.
 struct PushAlong {
-    double force = 0;         ///< N, along its way, on the tissue
-    double stiffness = 0;     ///< N/m, by which that grows on the way while the tissue stays
-    Eigen::VectorXd coupling; ///< N/m, by row of the tissue's matrix
+    double force = 0;     ///< N, along its way, on the tissue
+    double stiffness = 0; ///< N/m, by which that grows on the way while the tissue stays
+    Vectors coupling;     ///< N/m, by which the forces on the nodes fall on the way
 };
 
 /// Keeps the triangles of a surface out of a sphere by pushes at their nearest points, without friction: the
@@ -39,17 +36,15 @@ public:
     /// J, that the pushes store: their forces are what it falls by.
     double energy(const Eigen::Vector3d& centre, const Vectors& positions) const;
     void addForces(const Eigen::Vector3d& centre, const Vectors& positions, Vectors& forces) const;
-    void addStiffness(const Eigen::Vector3d& centre, const Vectors& positions, Curvature curvature,
-                      BlockEntries& entries) const;
+    void addStiffness(const Eigen::Vector3d& centre, const Vectors& positions, BlockEntries& entries) const;
     /// @param direction of length 1
-    PushAlong along(const Eigen::Vector3d& direction, const Eigen::Vector3d& centre, const Vectors& positions,
-                    const BlockEntries& rows) const;
+    PushAlong along(const Eigen::Vector3d& direction, const Eigen::Vector3d& centre,
+                    const Vectors& positions) const;
     /// N, of the sphere on the tissue, and the sum of all pushes' sizes.
     Eigen::Vector3d force(const Eigen::Vector3d& centre, const Vectors& positions) const;
     double pushes(const Eigen::Vector3d& centre, const Vectors& positions) const;
 
-    /// Makes the pushes that act the ones to start from. By how much their force changes, relative to the sum
-    /// of their sizes.
+    /// Makes the pushes that act the ones to start from. N, by how much their force changes.
     double update(const Eigen::Vector3d& centre, const Vectors& positions);
 
 private:

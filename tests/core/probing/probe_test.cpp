@@ -1,12 +1,15 @@
 #include "core/probing/probe.h"
 
+#include "core/project/project.h"
 #include "core/project/shared_tissue.h"
 #include "core/project/simulated_network.h"
 #include "core/project/wall.h"
+#include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/elastic_block.h"
 #include "tests/support/solid_surfaces.h"
 #include "tests/support/tethered_triangle.h"
+#include "tests/support/tissue_models.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -171,6 +174,65 @@ TEST(Probe, RefusesToPressThroughTheOrgan) {
         FAIL();
     } catch (const InvalidModel& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("30 mm thick"));
+    }
+}
+
+// Places at which a surface that bends freely snaps through, or leaves the finger next to no force: the
+// search for balance must not depend on how the press is divided.
+TEST(Probe, PressesASoftLiverByLittle) {
+    const Project liver = makeSample("liver");
+    const TissueModel model = evaluateModel(liver);
+    const TouchedSurface surface = touchedSurface(*liver.mesh, *liver.network);
+    for (const Vector3d& place :
+         {Vector3d(-0.00291750116, -0.00812230166, 0.0477734199), Vector3d(0.02, 0, 0.047)})
+        for (const int steps : {1, 10}) {
+            ProbeSettings settings;
+            settings.place = place;
+            settings.depth = 0.0005;
+            settings.steps = steps;
+            const double force = probe({model, surface}, settings).curve.back().force;
+            EXPECT_GT(force, 1e-5) << place.transpose() << ", steps " << steps;
+            EXPECT_LT(force, 1e-3) << place.transpose() << ", steps " << steps;
+        }
+}
+
+/// A ball on tethers, with a fluid in it.
+TissueModel filledBall(const TriangleMesh& ball, double stiffness) {
+    TissueModel model = tissue::fromMesh(ball, {20, 1, 1e-3});
+    for (std::uint32_t node = 0; node < ball.vertices.size(); ++node)
+        model.tethers.push_back({node, 4, 0.2});
+    model.cavities = {cavityOf(ball.vertices, ball.triangles, 0)};
+    model.cavities.front().stiffness = stiffness;
+    return model;
+}
+
+TEST(Probe, FindsABallFirmerTheStifferItsFluid) {
+    const TriangleMesh ball = tissue::sphereMesh(3, 0.05);
+    const TouchedSurface surface{ball.triangles};
+    ProbeSettings settings;
+    settings.place = {0, 0, 0.05};
+    settings.radius = 0.02;
+    settings.steps = 2;
+    double before = 0;
+    for (const double stiffness : {10.0, 1e4, 1e7}) {
+        const double force = probe({filledBall(ball, stiffness), surface}, settings).curve.back().force;
+        EXPECT_GT(force, before) << stiffness;
+        before = force;
+    }
+}
+
+TEST(Probe, RefusesAnOrganThatStandsUnderAPressure) {
+    const TriangleMesh ball = tissue::sphereMesh(2, 0.05);
+    const TouchedSurface surface{ball.triangles};
+    TissueModel model = filledBall(ball, 1e4);
+    model.cavities.front().largestPressure = 100;
+    ProbeSettings settings;
+    settings.place = {0, 0, 0.05};
+    try {
+        probe({model, surface}, settings);
+        FAIL();
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("take the pressure out"));
     }
 }
 
