@@ -12,10 +12,17 @@ class QwtPlotCurve;
 
 namespace esm {
 
+/// A line across a chart at an x, and what it means: "time constant 0.47 s".
+struct ChartMark {
+    double at;
+    QString text;
+};
+
 /// What was measured one after the other, by rising x.
 struct ChartCurve {
     QString name; ///< "now"
     QVector<QPointF> points;
+    std::optional<ChartMark> mark{};
 };
 
 /// What an axis says.
@@ -25,7 +32,8 @@ struct ChartAxis {
 };
 
 /// Curves of one quantity over another, from nothing on. The first is the one that counts; the others are
-/// paler. Where the mouse rests, or the arrow keys go to, a point of a curve says its numbers.
+/// paler. Points that stand apart have dots. Where the mouse rests, or the arrow keys go to, a point of a
+/// curve says its numbers.
 class CurveChart : public PlainPlot {
     Q_OBJECT
 
@@ -56,6 +64,9 @@ private:
     };
 
     void drawScales();
+    bool isFalling() const;
+    void drawNames(QPainter& painter) const;
+    void drawMarks(QPainter& painter) const;
     std::optional<Spot> spotAt(const QPoint& place) const;
     void pointAt(const std::optional<Spot>& spot);
     void stepThrough(int direction);
