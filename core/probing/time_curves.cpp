@@ -1,5 +1,6 @@
 #include "core/probing/time_curves.h"
 
+#include "core/probing/standing_finger.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
@@ -10,10 +11,12 @@ namespace esm {
 
 namespace {
 
-constexpr double leastWay = 0.01; ///< of the end's value: less is no way that a time could be told of
 constexpr int stepsOfRise = 20, stepsOfDuration = 100;
-constexpr double growth = 1.2;     ///< of steps, one to the next
-constexpr double firstStep = 1e-4; ///< of the duration
+constexpr double growth = 1.2;      ///< of steps, one to the next
+constexpr double firstStep = 1e-4;  ///< of the duration
+constexpr double firstShare = 0.05; ///< of the radius: the first depth where rest under a force is looked for
+constexpr double enoughForce = 3e-4; ///< of the force, that a depth of rest may be off it
+constexpr int mostDepths = 60, usualDepths = 20;
 
 /// One number for a curve that need not be exponential: of one that is, this is its time constant. When 1/e
 /// of the way from the first value to the last is left for the first time, s after the first.
@@ -46,10 +49,44 @@ std::vector<double> growingTimes(double begin, double end) {
     return times;
 }
 
-void requireWithin(const PressedTissue& tissue, const TimedTest& test, double force) {
-    if (tissue.depth() > test.thickness)
+void requireWithin(double depth, const TimedTest& test, double force) {
+    if (depth > test.thickness)
         throw InvalidModel("a force of " + roundedText(force, 3) +
                            " N presses through the organ there: choose a smaller one");
+}
+
+PressPoint restAt(PressedTissue& tissue, double depth) {
+    tissue.settle(AtDepth{depth});
+    return {depth, tissue.force()};
+}
+
+// From depth to depth and then between the last two (regula falsi by the Illinois rule: an end that stays
+// twice counts half). A given force would say the same at once, but not on a soft wall: nothing keeps the
+// finger from going through it in the middle of the search, where the wall folds.
+PressPoint restUnder(double force, const TimedTest& test) {
+    PressedTissue tissue = test.fresh();
+    PressPoint below{0, 0}, above{0, 0};
+    double step = firstShare * tissue.radius();
+    for (int i = 0; above.force < force; ++i, step *= growth) {
+        if (i == mostDepths)
+            throw InvalidModel("the organ does not resist a force of " + roundedText(force, 3) +
+                               " N there: choose a smaller one");
+        below = above;
+        requireWithin(below.depth + step, test, force);
+        above = restAt(tissue, below.depth + step);
+    }
+    double missing = force - below.force, beyond = above.force - force;
+    PressPoint last = above;
+    for (int i = 0; i < mostDepths && std::abs(last.force - force) > enoughForce * force; ++i) {
+        const double part = missing / (missing + beyond);
+        const bool wasAbove = last.force >= force;
+        last = restAt(tissue, below.depth + part * (above.depth - below.depth));
+        const bool isAbove = last.force >= force;
+        (isAbove ? above : below) = last;
+        (isAbove ? beyond : missing) = std::abs(last.force - force);
+        if (i > 0 && isAbove == wasAbove) (isAbove ? missing : beyond) /= 2;
+    }
+    return last;
 }
 
 } // namespace
@@ -74,12 +111,10 @@ TimeCurve relaxationCurve(const TimedTest& test, const RelaxationTest& wanted, c
         tissue.step(AtDepth{depth}, time - curve.points.back().time);
         curve.points.push_back({time, depth, tissue.force()});
     }
-    // What dampers bear while the finger moves ends with its motion, and is no relaxation: the way begins at
-    // the largest force afterwards.
-    const auto largest =
-        std::max_element(curve.points.begin() + stepsOfRise + 1, curve.points.end(),
-                         [](const TimedPress& a, const TimedPress& b) { return a.force < b.force; });
-    const std::vector<TimedPress> after(largest, curve.points.end());
+    const double start = standingFinger(curve).largest.time;
+    const auto first = std::find_if(curve.points.begin(), curve.points.end(),
+                                    [&](const TimedPress& point) { return point.time >= start; });
+    const std::vector<TimedPress> after(first, curve.points.end());
     std::vector<double> forces;
     forces.reserve(after.size());
     for (const TimedPress& point : after)
@@ -94,16 +129,14 @@ TimeCurve creepCurve(const TimedTest& test, const CreepTest& wanted, const Progr
     std::vector<double> depths{0};
     const std::vector<double> times = growingTimes(0, wanted.duration);
     for (const double time : times) {
-        reportProgress(progress,
-                       static_cast<double>(depths.size() - 1) / static_cast<double>(times.size() + 5));
+        reportProgress(progress, static_cast<double>(depths.size() - 1) /
+                                     static_cast<double>(times.size() + usualDepths));
         tissue.step(UnderForce{wanted.force}, time - curve.points.back().time);
-        requireWithin(tissue, test, wanted.force);
+        requireWithin(tissue.depth(), test, wanted.force);
         curve.points.push_back({time, tissue.depth(), tissue.force()});
         depths.push_back(tissue.depth());
     }
-    tissue.settle(UnderForce{wanted.force});
-    requireWithin(tissue, test, wanted.force);
-    curve.end = {tissue.depth(), tissue.force()};
+    curve.end = restUnder(wanted.force, test);
     curve.timeConstant = timeConstantOf(curve.points, depths, curve.end.depth);
     return curve;
 }

@@ -5,6 +5,9 @@
 
 namespace esm {
 
+/// Of the end's value: less is no way that a time could be told of.
+inline constexpr double leastWay = 0.01;
+
 /// What a test needs that goes on in time.
 struct TimedTest {
     const std::function<PressedTissue()>& fresh; ///< tissue at rest, the finger at depth 0

@@ -16,7 +16,7 @@ QString withTrueMinus(QString text) {
     return text.replace('-', QChar(0x2212));
 }
 
-enum class Quantity { Length, Mass, SpringConstant, Viscosity, Modulus, Time, Angle };
+enum class Quantity { Length, Mass, Force, SpringConstant, Viscosity, Modulus, Time, Angle };
 
 struct UnitSize {
     Quantity quantity;
@@ -33,6 +33,8 @@ std::optional<UnitSize> siUnitOf(const QString& unit) {
         {QStringLiteral("mg"), {Quantity::Mass, 1e-6}},
         {QStringLiteral("g"), {Quantity::Mass, 1e-3}},
         {QStringLiteral("kg"), {Quantity::Mass, 1}},
+        {QStringLiteral("mN"), {Quantity::Force, 1e-3}},
+        {QStringLiteral("N"), {Quantity::Force, 1}},
         {QStringLiteral("N/m"), {Quantity::SpringConstant, 1}},
         {QStringLiteral("mN/m"), {Quantity::SpringConstant, 1e-3}},
         {QStringLiteral("N/mm"), {Quantity::SpringConstant, 1e3}},

@@ -49,6 +49,14 @@ NumberFormat timeFormat() {
     return format;
 }
 
+NumberFormat forceFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("N");
+    format.minimum = 1e-9;
+    format.maximum = 1e6;
+    return format;
+}
+
 NumberFormat massFormat() {
     NumberFormat format;
     format.unit = QStringLiteral("kg");

@@ -17,6 +17,7 @@ NumberFormat angleFormat(); ///< whole degrees
 QString turnedToolTip();
 NumberFormat modulusFormat();                                 ///< Pa, shown in kPa
 NumberFormat timeFormat();                                    ///< s
+NumberFormat forceFormat();                                   ///< N, above zero
 NumberFormat massFormat();                                    ///< kg, above zero
 NumberFormat percentFormat(double minimum, double maximum);   ///< shares of one, shown in percent
 NumberFormat wholePercentFormat(double maximum, double step); ///< from 0, in whole percent

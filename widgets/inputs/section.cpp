@@ -102,6 +102,23 @@ void ValueRows::addField(const QString& caption, QWidget* field) {
     m_form->addRow(captionBeside(caption, field), field);
 }
 
+void ValueRows::addEither(const QString& caption, QWidget* field, const QString& otherCaption,
+                          QWidget* other) {
+    auto* captions = new QStackedWidget(this);
+    auto* fields = new QStackedWidget(this);
+    for (const auto& [text, shown] : {std::pair(caption, field), std::pair(otherCaption, other)}) {
+        captions->addWidget(captionBeside(text, shown));
+        fields->addWidget(shown);
+    }
+    connect(fields, &QStackedWidget::currentChanged, captions, &QStackedWidget::setCurrentIndex);
+    m_form->addRow(captions, fields);
+}
+
+void ValueRows::showField(QWidget* field) {
+    auto* fields = qobject_cast<QStackedWidget*>(field->parentWidget());
+    if (fields) fields->setCurrentWidget(field);
+}
+
 void ValueRows::addWideField(const QString& caption, QWidget* field) {
     m_form->addRow(captionOf(caption, field));
     m_form->addRow(field);

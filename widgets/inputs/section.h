@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QFrame>
 #include <QLabel>
+#include <QStackedWidget>
 #include <QToolButton>
 #include <QVariant>
 #include <QVBoxLayout>
@@ -49,6 +50,10 @@ public:
     /// finds it in tests.
     QLabel* addText(const QString& caption, const QString& name);
     void addField(const QString& caption, QWidget* field);
+    /// A row for either of two fields with their captions, the first at first.
+    void addEither(const QString& caption, QWidget* field, const QString& otherCaption, QWidget* other);
+    /// Of such a row.
+    void showField(QWidget* field);
     /// A field that needs the whole width, beneath its caption.
     void addWideField(const QString& caption, QWidget* field);
 

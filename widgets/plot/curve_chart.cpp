@@ -21,7 +21,8 @@ constexpr int curveReach = 12;        ///< pixels, of the mouse
 constexpr double besideCurves = 0.04; ///< of a scale, so that no end is cut
 constexpr int valueDigits = 3;        ///< that anyone reads off a curve
 constexpr double emptyScale = 1.0;    ///< to which scales go that nothing is drawn on
-constexpr int mostDots = 60;          ///< of a curve; of more a line is seen, and no dots
+constexpr int mostDots = 50;          ///< of a curve: more would be a thick line
+constexpr int besideMark = 5;         ///< pixels, from a line across to its text
 
 QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
     auto* line = new QwtPlotCurve;
@@ -34,11 +35,11 @@ QwtPlotCurve* addPressLine(QwtPlot& plot, double height) {
 } // namespace
 
 CurveChart::CurveChart(QWidget* parent)
-    : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)), m_mark(new QwtPlotMarker) {
+    : PlainPlot(parent), m_pointedMark(addPressLine(*this, 100)), m_moment(new QwtPlotMarker) {
     m_pointedMark->setStyle(QwtPlotCurve::NoCurve);
-    m_mark->setLineStyle(QwtPlotMarker::VLine);
-    m_mark->setVisible(false);
-    m_mark->attach(this);
+    m_moment->setLineStyle(QwtPlotMarker::VLine);
+    m_moment->setVisible(false);
+    m_moment->attach(this);
     canvas()->installEventFilter(this);
     CurveChart::followTheme();
     drawScales();
@@ -70,10 +71,10 @@ void CurveChart::setCurves(std::vector<ChartCurve> curves) {
     tellSpoken(*this);
 }
 
-void CurveChart::setMark(std::optional<double> x) {
-    if (!x && !m_mark->isVisible()) return;
-    m_mark->setVisible(x.has_value());
-    if (x) m_mark->setXValue(*x);
+void CurveChart::setMoment(std::optional<double> x) {
+    if (!x && !m_moment->isVisible()) return;
+    m_moment->setVisible(x.has_value());
+    if (x) m_moment->setXValue(*x);
     replot();
 }
 
@@ -97,28 +98,69 @@ void CurveChart::followTheme() {
     for (std::size_t i = 0; i < m_lines.size(); ++i) {
         const QColor colour = colourOf(i);
         m_lines[i]->setPen(colour, i == 0 ? 2 : 1.4, i == 0 ? Qt::SolidLine : Qt::DashLine);
-        const QwtSymbol::Style dots =
-            m_curves[i].points.size() > mostDots ? QwtSymbol::NoSymbol : QwtSymbol::Ellipse;
-        m_lines[i]->setSymbol(new QwtSymbol(dots, colour, Qt::NoPen, i == 0 ? QSize(6, 6) : QSize(4, 4)));
+        const QSize dot = m_curves[i].points.size() > mostDots ? QSize() : i == 0 ? QSize(6, 6) : QSize(4, 4);
+        m_lines[i]->setSymbol(
+            new QwtSymbol(dot.isEmpty() ? QwtSymbol::NoSymbol : QwtSymbol::Ellipse, colour, Qt::NoPen, dot));
     }
-    m_mark->setLinePen(palette().color(QPalette::WindowText), 1);
+    m_moment->setLinePen(palette().color(QPalette::WindowText), 1);
     m_pointedMark->setSymbol(
         new QwtSymbol(QwtSymbol::Ellipse, Qt::NoBrush, QPen(palette().color(QPalette::Link), 1.5), {15, 15}));
     PlainPlot::followTheme();
 }
 
-/// Names stand at the top left, which rising curves leave free; one curve needs none.
 void CurveChart::drawCanvas(QPainter* painter) {
     PlainPlot::drawCanvas(painter);
-    if (m_curves.size() < 2) return;
     painter->setFont(axisFont(xBottom));
-    const int line = painter->fontMetrics().height() + 2;
-    int y = canvas()->contentsRect().top() + line;
+    drawMarks(*painter);
+    if (m_curves.size() > 1) drawNames(*painter); // one curve needs none
+}
+
+/// Whether the first curve is highest in its first half.
+bool CurveChart::isFalling() const {
+    if (m_curves.empty() || m_curves.front().points.isEmpty()) return false;
+    const auto& points = m_curves.front().points;
+    const auto highest = std::max_element(points.begin(), points.end(),
+                                          [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); });
+    return highest->x() < points.back().x() / 2 && highest->y() > points.back().y();
+}
+
+/// At the top left, which rising curves leave free, or at the top right.
+void CurveChart::drawNames(QPainter& painter) const {
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int line = metrics.height() + 2;
+    int width = 0;
+    for (const ChartCurve& curve : m_curves)
+        width = std::max(width, metrics.horizontalAdvance(curve.name));
+    const QRect room = canvas()->contentsRect();
+    const int left = isFalling() ? room.right() - width - 46 : 10;
+    int y = room.top() + line;
     for (std::size_t i = 0; i < m_curves.size(); ++i, y += line) {
-        painter->setPen(m_lines[i]->pen());
-        painter->drawLine(10, y - line / 3, 30, y - line / 3);
-        painter->setPen(palette().color(QPalette::WindowText));
-        painter->drawText(36, y, m_curves[i].name);
+        painter.setPen(m_lines[i]->pen());
+        painter.drawLine(left, y - line / 3, left + 20, y - line / 3);
+        painter.setPen(palette().color(QPalette::WindowText));
+        painter.drawText(left + 26, y, m_curves[i].name);
+    }
+}
+
+/// A text stands where the curve is not right of its line: low beside a rising curve, high beside a falling
+/// one.
+void CurveChart::drawMarks(QPainter& painter) const {
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int line = metrics.height() + 2;
+    const QRect room = canvas()->contentsRect();
+    const int names = m_curves.size() > 1 ? static_cast<int>(m_curves.size()) : 0;
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        if (!m_curves[i].mark) continue;
+        const auto& [at, text] = *m_curves[i].mark;
+        const int x = qRound(transform(xBottom, at));
+        painter.setPen(QPen(colourOf(i), 1, Qt::DotLine));
+        painter.drawLine(x, room.top(), x, room.bottom());
+        const int row = static_cast<int>(i);
+        const int y = isFalling() ? room.top() + (names + 1 + row) * line : room.bottom() - 6 - row * line;
+        const int width = metrics.horizontalAdvance(text);
+        const bool hasRoom = x + besideMark + width < room.right();
+        painter.setPen(palette().color(i == 0 ? QPalette::WindowText : QPalette::PlaceholderText));
+        painter.drawText(hasRoom ? x + besideMark : x - besideMark - width, y, text);
     }
 }
 

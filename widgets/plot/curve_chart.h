@@ -13,10 +13,17 @@ class QwtPlotMarker;
 
 namespace esm {
 
+/// A line across a chart at an x, and what it means: "time constant 0.47 s".
+struct ChartMark {
+    double at;
+    QString text;
+};
+
 /// What was measured one after the other, by rising x.
 struct ChartCurve {
     QString name; ///< "now"
     QVector<QPointF> points;
+    std::optional<ChartMark> mark{};
 };
 
 /// What an axis says.
@@ -26,7 +33,8 @@ struct ChartAxis {
 };
 
 /// Curves of one quantity over another, from nothing on. The first is the one that counts; the others are
-/// paler. Where the mouse rests, or the arrow keys go to, a point of a curve says its numbers.
+/// paler. Points that stand apart have dots. Where the mouse rests, or the arrow keys go to, a point of a
+/// curve says its numbers.
 class CurveChart : public PlainPlot {
     Q_OBJECT
 
@@ -36,7 +44,7 @@ public:
     void setAxes(const ChartAxis& x, const ChartAxis& y);
     void setCurves(std::vector<ChartCurve> curves);
     /// A line upright at an x, such as the moment that is shown elsewhere; none: without.
-    void setMark(std::optional<double> x);
+    void setMoment(std::optional<double> x);
 
     /// Where a point of a curve lies on the canvas.
     QPoint placeOf(std::size_t curve, int point) const;
@@ -59,6 +67,9 @@ private:
     };
 
     void drawScales();
+    bool isFalling() const;
+    void drawNames(QPainter& painter) const;
+    void drawMarks(QPainter& painter) const;
     std::optional<Spot> spotAt(const QPoint& place) const;
     void pointAt(const std::optional<Spot>& spot);
     void stepThrough(int direction);
@@ -69,7 +80,7 @@ private:
     std::vector<ChartCurve> m_curves;
     std::vector<QwtPlotCurve*> m_lines; ///< one for each
     QwtPlotCurve* m_pointedMark;
-    QwtPlotMarker* m_mark;
+    QwtPlotMarker* m_moment;
     std::optional<Spot> m_pointed;
 };
 

@@ -25,6 +25,7 @@ constexpr double firstTouch = 1e-3; ///< in radii
 constexpr double leastTie = 1e-8;   ///< of what resists the stiffest node
 constexpr double tieGrowth = 8;
 constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 300, mostTies = 16;
+constexpr int mostReaches = 12; ///< each twice as far as the one before
 
 /// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
 std::vector<double> nodeStiffness(const SpringSystem& system, double rate) {
@@ -93,19 +94,24 @@ void PressedTissue::setLapse(std::optional<TimeLapse> lapse) {
     m_potential.setLapse(std::move(lapse));
 }
 
-// A finger that touches nothing has no depth at which a force on it is balanced: the search for one begins
-// where it touches.
 void PressedTissue::drive(const Drive& wanted) {
     m_pushed.reset();
     if (const auto* const given = std::get_if<AtDepth>(&wanted))
         m_depth = given->depth;
     else
         m_pushed = std::get<UnderForce>(wanted).force;
-    const double tolerance = closeness * m_indenter.radius;
-    m_contacts.find(centre(m_depth), m_motion.positions, tolerance);
-    if (!m_pushed || m_contacts.pushes(centre(m_depth), m_motion.positions) > 0) return;
-    m_depth += firstTouch * m_indenter.radius;
-    m_contacts.find(centre(m_depth), m_motion.positions, tolerance);
+    m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
+}
+
+// A finger that touches nothing has no depth at which a force on it is balanced, and tissue may have moved on
+// before it since: the search goes on where it touches.
+void PressedTissue::touch() {
+    double way = firstTouch * m_indenter.radius;
+    for (int i = 0; i < mostReaches && m_contacts.pushes(centre(m_depth), m_motion.positions) <= 0; ++i) {
+        m_depth += way;
+        m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
+        way *= 2;
+    }
 }
 
 /// Begins the search for balance where tissue should come to if it goes on as before, unless that is worse.
@@ -181,6 +187,7 @@ void PressedTissue::minimise(double tolerance) {
     Vectors forces;
     for (int step = 0; step < mostDownhillSteps; ++step) {
         if (m_checkpoint) m_checkpoint();
+        if (m_pushed) touch();
         m_potential.forces(m_motion.positions, forces);
         m_contacts.addForces(centre(m_depth), m_motion.positions, forces);
         const double left = imbalance(forces);

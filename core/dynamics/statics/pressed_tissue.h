@@ -54,6 +54,7 @@ private:
     double potential(double depth, const Vectors& positions) const;
     void setLapse(std::optional<TimeLapse> lapse);
     void drive(const Drive& drive);
+    void touch();
     void expect(const Vectors& change, double factor);
     void balance();
     void minimise(double tolerance);

@@ -62,6 +62,7 @@ TEST(NumberText, SaysOneUnitInAnother) {
     EXPECT_DOUBLE_EQ(unitRatio("cm", "mm").value(), 10);
     EXPECT_DOUBLE_EQ(unitRatio("g", "kg").value(), 1e-3);
     EXPECT_DOUBLE_EQ(unitRatio("N/mm", "N/m").value(), 1000);
+    EXPECT_DOUBLE_EQ(unitRatio("mN", "N").value(), 1e-3);
     EXPECT_DOUBLE_EQ(unitRatio("mmHg", "Pa").value(), 133.322387415);
     EXPECT_NEAR(unitRatio("cmH2O", "mmHg").value(), 0.7356, 1e-4);
     EXPECT_EQ(unitRatio("px", "px"), 1.0);

@@ -77,6 +77,17 @@ TEST_F(CurveChartTest, SaysTheNumbersWhereTheMouseOrAKeyIs) {
     EXPECT_EQ(m_chart.spokenValue(), "now, 2.00 mm: 0.300 N") << "and stays at the end";
 }
 
+TEST_F(CurveChartTest, MarksATimeByALineAcross) {
+    const std::vector<QPointF> falling{{0, 1}, {1, 0.4}, {2, 0.2}};
+    const auto coloured = [&](std::optional<ChartMark> mark) {
+        m_chart.setCurves({{"now", {falling.begin(), falling.end()}, std::move(mark)}});
+        return countOf(m_chart.palette().color(QPalette::Link));
+    };
+    const int without = coloured(std::nullopt);
+    EXPECT_GT(coloured(ChartMark{0.7, "time constant 0.70 s"}), without + 40);
+    EXPECT_GT(coloured(ChartMark{1.99, "at the border"}), without + 40);
+}
+
 TEST_F(CurveChartTest, ACurveWithoutForceOrAPointIsNoTrouble) {
     m_chart.setCurves({{"now", {{0, 0}, {1, 0}}}, {"before", {}}});
     QTest::keyClick(&m_chart, Qt::Key_Right);

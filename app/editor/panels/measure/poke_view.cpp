@@ -151,7 +151,7 @@ void PokeView::showMoment() {
         canShow ? tr("%1 of %2 s").arg(decimalText(player.time(), 2), decimalText(player.duration(), 2))
                 : QString());
     m_moment->setSpoken(m_time->text());
-    m_chart->setMark(player.isShown() ? std::optional(player.time()) : std::nullopt);
+    m_chart->setMoment(player.isShown() ? std::optional(player.time()) : std::nullopt);
 }
 
 } // namespace esm

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/exchange/charts/drawing.h"
+
+#include <optional>
+
+namespace esm {
+
+/// What a curve is called, and where it goes, in the units of the axes.
+struct DrawnCurve {
+    std::string name; ///< ASCII
+    std::vector<Drawing::Place> points;
+    std::optional<double> mark; ///< of x: a line across the chart, with its number
+};
+
+/// What stands at the two axes, with the unit: "depth, mm".
+struct CurveAxes {
+    std::string x, y;
+};
+
+/// A line for each curve over axes from 0 on. Points that stand apart have dots.
+Drawing curveDrawing(const CurveAxes& axes, const std::vector<DrawnCurve>& curves);
+
+} // namespace esm
