@@ -15,8 +15,9 @@ MeasureController::MeasureController(Document& document, Preview& preview, Virtu
     auto* press = new PressView(document, test);
     m_charts->addWidget(runs);
     m_charts->addWidget(press);
-    auto* moved = new PokeView(poke);
+    auto* moved = new PokeView(document, poke);
     m_charts->addWidget(moved);
+    connect(moved, &PokeView::message, this, &MeasureController::message);
     connect(moved, &PokeView::filmAsked, this, &MeasureController::filmAsked);
     m_charts->hide();
     connect(runs, &AccuracyView::message, this, &MeasureController::message);

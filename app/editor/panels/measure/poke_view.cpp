@@ -1,5 +1,9 @@
 #include "app/editor/panels/measure/poke_view.h"
 
+#include "app/editor/panels/measure/measurement_file.h"
+#include "app/editor/panels/measure/poke_files.h"
+#include "core/exchange/charts/chart_file.h"
+#include "core/support/file_io.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 
@@ -12,7 +16,7 @@ namespace esm {
 
 namespace {
 
-constexpr int roomForPokeLine = 520; // pixels, of title and buttons
+constexpr int roomForPokeLine = 720; // pixels, of title and buttons
 
 ChartCurve forceOverTime(const QString& name, const PokeMotion& motion) {
     ChartCurve curve{name, {}};
@@ -21,12 +25,19 @@ ChartCurve forceOverTime(const QString& name, const PokeMotion& motion) {
     return curve;
 }
 
+std::vector<NamedMotion> namedMotions(const PokeTest& test) {
+    std::vector<NamedMotion> motions{{"now", test.latest()}};
+    if (test.former() && test.former() != test.latest()) motions.push_back({"before", test.former()});
+    return motions;
+}
+
 } // namespace
 
-PokeView::PokeView(PokeTest& test, QWidget* parent)
-    : QWidget(parent), m_test(test), m_header(new QBoxLayout(QBoxLayout::LeftToRight)),
+PokeView::PokeView(Document& document, PokeTest& test, QWidget* parent)
+    : QWidget(parent), m_document(document), m_test(test), m_header(new QBoxLayout(QBoxLayout::LeftToRight)),
       m_title(new ElidedLabel(this)), m_keep(new QPushButton(tr("Keep to compare"), this)),
-      m_clear(new QPushButton(tr("Clear before"), this)), m_film(new QPushButton(tr("Save film…"), this)),
+      m_clear(new QPushButton(tr("Clear before"), this)), m_table(new QPushButton(tr("Save table…"), this)),
+      m_picture(new QPushButton(tr("Save chart…"), this)), m_film(new QPushButton(tr("Save film…"), this)),
       m_watch(new QPushButton(tr("Watch"), this)), m_leave(new QPushButton(tr("Living organ"), this)),
       m_moment(new ValueSlider(this)), m_time(new QLabel(this)), m_chart(new CurveChart(this)) {
     setObjectName(QStringLiteral("pokeView"));
@@ -59,13 +70,17 @@ void PokeView::buildHeader() {
     m_header->addLayout(controls);
     m_keep->setObjectName(QStringLiteral("keepPoke"));
     m_clear->setObjectName(QStringLiteral("clearPoke"));
+    m_table->setObjectName(QStringLiteral("savePokeTable"));
+    m_picture->setObjectName(QStringLiteral("savePokeChart"));
     m_film->setObjectName(QStringLiteral("saveFilm"));
-    for (QPushButton* button : {m_keep, m_clear, m_film}) {
+    for (QPushButton* button : {m_keep, m_clear, m_table, m_picture, m_film}) {
         button->setFocusPolicy(Qt::TabFocus);
         controls->addWidget(button);
     }
     connect(m_keep, &QPushButton::clicked, &m_test, &PokeTest::keepLatest);
     connect(m_clear, &QPushButton::clicked, &m_test, &PokeTest::forgetFormer);
+    connect(m_table, &QPushButton::clicked, this, &PokeView::exportTable);
+    connect(m_picture, &QPushButton::clicked, this, &PokeView::exportChart);
     connect(m_film, &QPushButton::clicked, this, &PokeView::filmAsked);
 }
 
@@ -114,6 +129,8 @@ void PokeView::refresh() {
            now ? tr("This motion is the one that the next is compared with") : none);
     enable(m_clear, before != nullptr, tr("Show the last motion alone"),
            tr("There is no earlier motion beside this one"));
+    enable(m_table, now != nullptr, tr("Write times, forces and displacements as a table (.csv)"), none);
+    enable(m_picture, now != nullptr, tr("Write the chart as a picture (.png or .svg)"), none);
     enable(m_film, now != nullptr,
            tr("Write the motion as a film (.avi), or its pictures (.png), seen as now"), none);
     if (now != m_shown || before != m_shownBefore) showMotions();
@@ -152,6 +169,26 @@ void PokeView::showMoment() {
                 : QString());
     m_moment->setSpoken(m_time->text());
     m_chart->setMoment(player.isShown() ? std::optional(player.time()) : std::nullopt);
+}
+
+void PokeView::exportTable() {
+    const QString written = writeMeasurement(
+        window(), fileForOthers(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
+        tr("The table was not written"), [this](const std::filesystem::path& file) {
+            writeFileAtomically(file, pokeCsv(namedMotions(m_test)));
+        });
+    if (!written.isEmpty()) emit message(written);
+}
+
+void PokeView::exportChart() {
+    const QString written =
+        writeMeasurement(window(),
+                         fileForOthers(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
+                                       {QStringLiteral(".png"), QStringLiteral(".svg")}),
+                         tr("The chart was not written"), [this](const std::filesystem::path& file) {
+                             writeChart(pokeChart(namedMotions(m_test)), file);
+                         });
+    if (!written.isEmpty()) emit message(written);
 }
 
 } // namespace esm

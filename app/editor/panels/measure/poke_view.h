@@ -15,12 +15,13 @@ class PokeView : public QWidget {
     Q_OBJECT
 
 public:
-    explicit PokeView(PokeTest& test, QWidget* parent = nullptr);
+    PokeView(Document& document, PokeTest& test, QWidget* parent = nullptr);
 
     /// Narrower than all its buttons.
     QSize minimumSizeHint() const override { return {300, QWidget::minimumSizeHint().height()}; }
 
 signals:
+    void message(const QString& text);
     /// The motion is to be written as a film.
     void filmAsked();
 
@@ -33,12 +34,15 @@ private:
     void refresh();
     void showMotions();
     void showMoment();
+    void exportTable();
+    void exportChart();
 
+    Document& m_document;
     PokeTest& m_test;
     PokeTest::Motion m_shown, m_shownBefore;
     QBoxLayout* m_header;
     ElidedLabel* m_title;
-    QPushButton *m_keep, *m_clear, *m_film, *m_watch, *m_leave;
+    QPushButton *m_keep, *m_clear, *m_table, *m_picture, *m_film, *m_watch, *m_leave;
     ValueSlider* m_moment; ///< in pictures
     QLabel* m_time;
     CurveChart* m_chart;

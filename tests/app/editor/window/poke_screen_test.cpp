@@ -4,6 +4,8 @@
 #include "tests/app/editor_driver.h"
 #include "tests/support/temporary_folder.h"
 
+#include <fstream>
+
 using namespace esm;
 
 namespace {
@@ -101,13 +103,25 @@ TEST_F(PokeScreenTest, WhoTakesAToolWantsTheLivingOrgan) {
     EXPECT_FALSE(button("leavePoke").isEnabled());
 }
 
-TEST_F(PokeScreenTest, AFilmIsWrittenWhereTheUserSays) {
+TEST_F(PokeScreenTest, FilmTableAndChartAreWrittenWhereTheUserSays) {
     const TemporaryFolder folder;
     poke();
     dialogs.expectFile(folder / "poke.avi");
     button("saveFilm").click();
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_GT(std::filesystem::file_size(folder / "poke.avi"), 10000U);
+    dialogs.expectFile(folder / "poke.csv");
+    button("savePokeTable").click();
+    dialogs.expectFile(folder / "poke.png");
+    button("savePokeChart").click();
+    EXPECT_TRUE(dialogs.isDone());
+    std::ifstream table(folder / "poke.csv");
+    std::string names, first;
+    std::getline(table, names);
+    std::getline(table, first);
+    EXPECT_EQ(names, "name,time_s,force_n,displacement_m");
+    EXPECT_EQ(first, "now,0,0,0");
+    EXPECT_TRUE(std::filesystem::exists(folder / "poke.png"));
 }
 
 } // namespace
