@@ -20,11 +20,11 @@ constexpr double looseness = 0.01; ///< of the balance, while the pushes still c
 /// The same where rounding lets nothing more be gained, or after many steps down a valley with next to no
 /// slope, as of a net that shears freely: the force is known long before the place is.
 constexpr double nearlyBalanced = 1e-4;
-constexpr double leastMove = 1e-9;  ///< in radii
+constexpr double smallMove = 1e-5;  ///< in radii
 constexpr double firstTouch = 1e-3; ///< in radii
 constexpr double leastTie = 1e-8;   ///< of what resists the stiffest node
 constexpr double tieGrowth = 8;
-constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 300, mostTies = 16;
+constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000, mostTies = 16;
 constexpr int mostReaches = 12; ///< each twice as far as the one before
 
 /// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
@@ -133,8 +133,8 @@ double PressedTissue::potential(double depth, const Vectors& positions) const {
 // as hard as they are inside. The outer one raises the pushes by what is still inside, and looks for
 // triangles that the tissue brought into the sphere meanwhile. It ends where neither changes anything.
 //
-// A simulation with an instrument comes to the same force within a thousandth, but has to be waited for: a
-// tissue takes seconds to come to rest beneath a finger, and longer the finer and softer it is.
+// A simulation with an instrument comes to the same force, of a block within a thousandth, but has to be
+// waited for: a tissue takes seconds to come to rest beneath a finger, and longer the finer and softer it is.
 void PressedTissue::balance() {
     double changed = 1;
     for (int round = 0; round < mostRounds; ++round) {
@@ -161,17 +161,11 @@ void PressedTissue::findsNoBalance() const {
                                     : ""));
 }
 
-/// N, that moves a node by next to nothing: less is no force. Where tissue folds away from the finger, or is
-/// a net that shears freely, there is none to be relative to.
-double PressedTissue::leastForce() const {
-    return leastMove * m_indenter.radius * m_stiffest;
-}
-
-/// Of what forces are, relative to the pushes.
+/// Of what a force is, relative to the pushes. Where tissue folds away from the finger, or is a net that
+/// shears freely, there are none to be relative to: then to what moves a node by next to nothing.
 double PressedTissue::besidePushes(double force) const {
-    if (force <= leastForce()) return 0;
     return force / std::max({m_contacts.pushes(centre(m_depth), m_motion.positions), m_pushed.value_or(0),
-                             leastForce()});
+                             smallMove * m_indenter.radius * m_stiffest});
 }
 
 /// What forces leave over.

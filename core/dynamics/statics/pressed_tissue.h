@@ -59,7 +59,6 @@ private:
     void balance();
     void minimise(double tolerance);
     [[noreturn]] void findsNoBalance() const;
-    double leastForce() const;
     double besidePushes(double force) const;
     double imbalance(const Vectors& forces) const;
     NewtonWay newtonWay(const Vectors& forces);
