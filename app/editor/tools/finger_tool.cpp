@@ -63,7 +63,7 @@ void FingerTool::draw(QPainter& painter, const Sight& sight, const QPalette& pal
 
 QString FingerTool::hint() const {
     if (!m_test.place()) return {};
-    return tr("At the left Press measures · click elsewhere to move the finger · a drag turns the view");
+    return tr("The column at the left measures · click elsewhere to move the finger · a drag turns the view");
 }
 
 } // namespace esm

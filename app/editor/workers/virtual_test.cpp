@@ -9,27 +9,68 @@ namespace esm {
 
 namespace {
 
-constexpr double toldShare = 0.01; ///< of the work, after which a window hears of it again
-constexpr double samePlace = 1e-9; ///< m
-constexpr double roundTo = 5e-5;   ///< m, of a finger that is made to fit
+constexpr double toldShare = 0.01;  ///< of the work, after which a window hears of it again
+constexpr double samePlace = 1e-9;  ///< m
+constexpr double roundTo = 5e-5;    ///< m, of a finger that is made to fit
+constexpr double firstForce = 0.05; ///< N, before anything was pressed
+constexpr double firstDuration = 2; ///< s; dents of soft organs take this long
+/// Of the radius: so deep a finger goes first that is then pushed with a force, whatever depth that leads to.
+constexpr double touchShare = 0.02;
+constexpr int forceDigits = 2; ///< of a force that is taken over from a press
 
-/// Whether a finger meets the same in both. What takes no part at rest may differ.
-bool pressesAlike(const TissueModel& a, const TissueModel& b) {
-    if (&a == &b) return true;
-    return a.network == b.network && a.springConstant == b.springConstant && a.stiffening == b.stiffening &&
-           a.fixedNodes == b.fixedNodes && a.ownValues == b.ownValues && a.tethers == b.tethers &&
-           a.hinges == b.hinges && a.cavities.size() == b.cavities.size();
+/// Whether springs resist the same at rest, where no damper bears anything.
+bool drawAlike(const std::vector<SpringValues>& a, const std::vector<SpringValues>& b) {
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const SpringValues& x, const SpringValues& y) { return x.springConstant == y.springConstant; });
 }
 
-/// Whether two tests can differ by the tissue alone.
-bool isSameTest(const ProbeSettings& a, const ProbeSettings& b) {
-    return (a.place - b.place).norm() < samePlace && a.radius == b.radius;
+/// Whether a finger meets the same in both. What takes no part at rest may differ, but for tests in time.
+bool pressesAlike(FingerTest kind, const TissueModel& a, const TissueModel& b) {
+    if (&a == &b) return true;
+    const bool restsAlike = a.network == b.network && a.springConstant == b.springConstant &&
+                            a.stiffening == b.stiffening && a.fixedNodes == b.fixedNodes &&
+                            drawAlike(a.ownValues, b.ownValues) && a.tethers == b.tethers &&
+                            a.hinges == b.hinges && a.cavities.size() == b.cavities.size();
+    return restsAlike && (kind == FingerTest::Press ||
+                          (a.mass == b.mass && a.viscosity == b.viscosity && a.ownValues == b.ownValues));
+}
+
+/// Whether two tests can differ by the tissue alone. Curves of force over depth go on alike, however deep.
+bool isSameTest(const MeasuredPress& a, const MeasuredPress& b) {
+    if ((a.settings.place - b.settings.place).norm() >= samePlace || a.settings.radius != b.settings.radius)
+        return false;
+    if (a.kind == FingerTest::Stay) return a.settings.depth == b.settings.depth;
+    return a.kind != FingerTest::Push || a.settings.creep->force == b.settings.creep->force;
+}
+
+double rounded(double value, int digits) {
+    const double unit = std::pow(10, std::floor(std::log10(value)) - digits + 1);
+    return std::round(value / unit) * unit;
+}
+
+/// Of the node nearest to a place, s. None of tissue without a spring constant.
+std::optional<double> tissueTimeAt(const TissueModel& tissue, const Eigen::Vector3d& place) {
+    const auto& nodes = tissue.network->restPositions;
+    const auto isNearer = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+        return (a - place).squaredNorm() < (b - place).squaredNorm();
+    };
+    const auto node = static_cast<std::size_t>(
+        std::distance(nodes.begin(), std::min_element(nodes.begin(), nodes.end(), isNearer)));
+    if (!(tissue.springConstant[node] > 0)) return std::nullopt;
+    return tissue.viscosity[node] / tissue.springConstant[node];
 }
 
 } // namespace
 
+const TimeCurve* MeasuredPress::inTime() const {
+    if (result.relaxation) return &*result.relaxation;
+    return result.creep ? &*result.creep : nullptr;
+}
+
 VirtualTest::VirtualTest(Document& document, Preview& preview, QObject* parent)
     : QObject(parent), m_document(document), m_preview(preview), m_mesh(document.project().mesh),
+      m_force(firstForce), m_duration(firstDuration),
       m_worker([this](const Worker::Task& task) { return answerTo(task); }, [this] { emit told(); }) {
     connect(this, &VirtualTest::told, this, &VirtualTest::hear, Qt::QueuedConnection);
     connect(&document, &Document::changed, this, &VirtualTest::followDocument);
@@ -40,8 +81,7 @@ VirtualTest::VirtualTest(Document& document, Preview& preview, QObject* parent)
 
 void VirtualTest::choosePlace(const CarriedPlace& place) {
     m_place = place;
-    m_failure.clear();
-    emit changed();
+    tellChoice();
 }
 
 std::optional<Eigen::Vector3d> VirtualTest::restPlace() const {
@@ -64,15 +104,37 @@ void VirtualTest::fitFinger() {
 void VirtualTest::setRadius(double metres) {
     m_isFingerChosen = true;
     m_settings.radius = metres;
-    m_failure.clear();
-    emit changed();
+    tellChoice();
 }
 
 void VirtualTest::setDepth(double metres) {
     m_isFingerChosen = true;
     m_settings.depth = metres;
-    m_failure.clear();
+    tellChoice();
+}
+
+/// What failed may go well now.
+void VirtualTest::tellChoice() {
+    for (Measured& measured : m_measured)
+        measured.failure.clear();
     emit changed();
+}
+
+void VirtualTest::chooseKind(FingerTest kind) {
+    if (kind == m_kind) return;
+    m_kind = kind;
+    emit changed();
+}
+
+void VirtualTest::setForce(double newtons) {
+    m_isForceChosen = true;
+    m_force = newtons;
+    tellChoice();
+}
+
+void VirtualTest::setDuration(double seconds) {
+    m_duration = seconds;
+    tellChoice();
 }
 
 QString VirtualTest::obstacle() const {
@@ -83,13 +145,25 @@ QString VirtualTest::obstacle() const {
                : tr("The tissue cannot be evaluated: the line at the bottom says why");
 }
 
+ProbeSettings VirtualTest::wantedSettings() const {
+    ProbeSettings settings = m_settings;
+    settings.place = *restPlace();
+    if (m_kind == FingerTest::Stay) settings.relaxation = RelaxationTest{m_duration};
+    if (m_kind == FingerTest::Push) {
+        settings.depth = touchShare * settings.radius;
+        settings.steps = 1;
+        settings.creep = CreepTest{m_force, m_duration};
+    }
+    return settings;
+}
+
 void VirtualTest::press() {
     if (!obstacle().isEmpty()) return;
-    Question question{m_preview.tissue(), m_document.project().mesh, m_settings};
-    question.settings.place = *restPlace();
-    m_failure.clear();
+    Question question{m_kind, m_preview.tissue(), m_document.project().mesh, wantedSettings()};
+    of(m_kind).failure.clear();
     m_progress = 0;
     m_isPressing = true;
+    m_askedKind = m_kind;
     m_asked = m_worker.ask(std::move(question));
     emit changed();
 }
@@ -103,7 +177,7 @@ void VirtualTest::cancel() {
 
 VirtualTest::Press VirtualTest::answerTo(const Worker::Task& task) {
     if (!task.question) return nullptr;
-    const auto& [tissue, mesh, settings] = *task.question;
+    const auto& [kind, tissue, mesh, settings] = *task.question;
     const TouchedSurface surface = touchedSurface(*mesh, *tissue->network);
     const Progress goesOn = task.progress();
     double said = 0;
@@ -116,8 +190,10 @@ VirtualTest::Press VirtualTest::answerTo(const Worker::Task& task) {
         }
         return true;
     };
+    ProbeResult result = probe({*tissue, surface}, settings, progress);
+    const std::optional<double> time = tissueTimeAt(*tissue, result.place);
     return std::make_shared<const MeasuredPress>(
-        MeasuredPress{settings, probe({*tissue, surface}, settings, progress), tissue});
+        MeasuredPress{kind, settings, std::move(result), tissue, time});
 }
 
 void VirtualTest::hear() {
@@ -125,34 +201,38 @@ void VirtualTest::hear() {
     const Outcome<Press> outcome = m_worker.outcome();
     if (outcome.number == m_asked) {
         m_isPressing = false;
-        m_failure = outcome.failure;
-        if (m_failure.empty()) take(outcome.answer);
+        of(m_askedKind).failure = outcome.failure;
+        if (outcome.failure.empty()) take(outcome.answer);
     }
     emit changed();
 }
 
 /// Two curves in one plot are to differ by one thing: the tissue, unless the user chose what to compare with.
 void VirtualTest::take(const Press& press) {
-    if (!m_isKept) {
-        if (!m_latest || !isSameTest(m_latest->settings, press->settings))
-            m_former.reset();
-        else if (!pressesAlike(*m_latest->tissue, *press->tissue))
-            m_former = m_latest;
+    Measured& measured = of(press->kind);
+    if (!measured.isKept) {
+        if (!measured.latest || !isSameTest(*measured.latest, *press))
+            measured.former.reset();
+        else if (!pressesAlike(press->kind, *measured.latest->tissue, *press->tissue))
+            measured.former = measured.latest;
     }
-    m_latest = press;
+    measured.latest = press;
     const std::shared_ptr<const TissueModel> now = m_preview.tissue();
-    m_isOutdated = now && !pressesAlike(*press->tissue, *now);
+    measured.isOutdated = now && !pressesAlike(press->kind, *press->tissue, *now);
+    const double met = press->result.curve.back().force;
+    if (press->kind != FingerTest::Push && !m_isForceChosen && met > 0) m_force = rounded(met, forceDigits);
 }
 
 void VirtualTest::keepLatest() {
-    m_former = m_latest;
-    m_isKept = m_former != nullptr;
+    Measured& measured = of(m_kind);
+    measured.former = measured.latest;
+    measured.isKept = measured.former != nullptr;
     emit changed();
 }
 
 void VirtualTest::forgetFormer() {
-    m_former.reset();
-    m_isKept = false;
+    of(m_kind).former.reset();
+    of(m_kind).isKept = false;
     emit changed();
 }
 
@@ -168,17 +248,17 @@ void VirtualTest::followDocument(const Change& change) {
 
 void VirtualTest::followTissue() {
     const std::shared_ptr<const TissueModel> now = m_preview.tissue();
-    if (now) m_isOutdated = m_latest && !pressesAlike(*m_latest->tissue, *now);
+    for (Measured& measured : m_measured)
+        if (now && measured.latest)
+            measured.isOutdated = !pressesAlike(measured.latest->kind, *measured.latest->tissue, *now);
     emit changed();
 }
 
 void VirtualTest::forget() {
     cancel();
     m_place.reset();
-    m_latest.reset();
-    m_former.reset();
-    m_failure.clear();
-    m_isKept = m_isOutdated = false;
+    m_measured = {};
+    if (!m_isForceChosen) m_force = firstForce;
     fitFinger();
     emit changed();
 }

@@ -6,17 +6,28 @@
 #include "core/probing/probe.h"
 #include "widgets/view/picking.h"
 
+#include <array>
+
 namespace esm {
+
+/// What a finger does: presses to a depth, presses and stays there, or is pushed with one force.
+enum class FingerTest { Press, Stay, Push };
+inline constexpr std::size_t fingerTests = 3;
 
 /// What a finger met, and how it pressed what.
 struct MeasuredPress {
+    FingerTest kind;
     ProbeSettings settings;
     ProbeResult result;
     std::shared_ptr<const TissueModel> tissue;
+    std::optional<double> tissueTime; ///< s, viscosity over spring constant of the tissue at the place
+
+    /// How force or depth go on in time; null of a press.
+    const TimeCurve* inTime() const;
 };
 
 /// A finger that presses the organ at rest, beside the window: where and how, what it met, and what it met
-/// before the tissue was changed. None of it is part of the project.
+/// before the tissue was changed, of each kind of test. None of it is part of the project.
 class VirtualTest : public QObject {
     Q_OBJECT
 
@@ -30,10 +41,19 @@ public:
     void choosePlace(const CarriedPlace& place);
     /// The same on the organ at rest, m.
     std::optional<Eigen::Vector3d> restPlace() const;
-    /// All but the place: a finger's tip, or a smaller one that fits a small organ, until the user chooses.
+    /// Which test is measured next, and told of by all below.
+    FingerTest kind() const { return m_kind; }
+    void chooseKind(FingerTest kind);
+    /// Radius and depth: of a finger's tip, or of a smaller one that fits a small organ, until the user
+    /// chooses.
     const ProbeSettings& settings() const { return m_settings; }
     void setRadius(double metres);
     void setDepth(double metres);
+    /// N, with which it is pushed: what the last press met, until the user chooses.
+    double force() const { return m_force; }
+    void setForce(double newtons);
+    double duration() const { return m_duration; } ///< s, of a test in time
+    void setDuration(double seconds);
 
     /// Why nothing can be pressed now; empty where it can.
     QString obstacle() const;
@@ -43,15 +63,15 @@ public:
     bool isPressing() const { return m_isPressing; }
     double progress() const { return m_progress; } ///< 0 to 1, of what is being measured
     /// Why the last test has no result, as the core says it; empty where it has one, or another is wanted.
-    const std::string& failure() const { return m_failure; }
+    const std::string& failure() const { return shown().failure; }
 
     /// What was measured last; null before.
-    const Press& latest() const { return m_latest; }
+    const Press& latest() const { return shown().latest; }
     /// What to compare it with: what was measured before the tissue was changed, by the same finger at the
     /// same place, or what was kept. Null without.
-    const Press& former() const { return m_former; }
+    const Press& former() const { return shown().former; }
     /// Whether the organ's tissue is another than that which was measured last.
-    bool isOutdated() const { return m_isOutdated; }
+    bool isOutdated() const { return shown().isOutdated; }
     /// From now on what was measured last is compared with, whatever is measured; until forgetFormer().
     void keepLatest();
     void forgetFormer();
@@ -64,13 +84,24 @@ signals:
 
 private:
     struct Question {
+        FingerTest kind;
         std::shared_ptr<const TissueModel> tissue;
         std::shared_ptr<const TriangleMesh> mesh;
         ProbeSettings settings;
     };
+    /// What was measured by one kind of test.
+    struct Measured {
+        Press latest, former;
+        bool isKept = false; ///< what is compared with, by the user
+        bool isOutdated = false;
+        std::string failure{};
+    };
     /// No question takes the place of one that is no longer of interest.
     using Worker = LatestWorker<std::optional<Question>, Press>;
 
+    Measured& of(FingerTest kind) { return m_measured.at(static_cast<std::size_t>(kind)); }
+    const Measured& shown() const { return m_measured.at(static_cast<std::size_t>(m_kind)); }
+    ProbeSettings wantedSettings() const;
     Press answerTo(const Worker::Task& task);
     void hear();
     void take(const Press& press);
@@ -78,18 +109,20 @@ private:
     void followTissue();
     void forget();
     void fitFinger();
+    void tellChoice();
 
     Document& m_document;
     Preview& m_preview;
     std::shared_ptr<const TriangleMesh> m_mesh; ///< that the place lies on
     std::optional<CarriedPlace> m_place;
     ProbeSettings m_settings;
-    bool m_isFingerChosen = false; ///< by the user
-    Press m_latest, m_former;
-    bool m_isKept = false; ///< what is compared with, by the user
-    bool m_isOutdated = false, m_isPressing = false;
-    int m_asked = 0; ///< the number of the question that is being answered
-    std::string m_failure;
+    FingerTest m_kind = FingerTest::Press;
+    double m_force, m_duration;
+    bool m_isFingerChosen = false, m_isForceChosen = false; ///< by the user
+    std::array<Measured, fingerTests> m_measured;           ///< by their kind
+    bool m_isPressing = false;
+    int m_asked = 0;                            ///< the number of the question that is being answered
+    FingerTest m_askedKind = FingerTest::Press; ///< of that question
     std::atomic<double> m_progress = 0;
     Worker m_worker; ///< last, so that it ends first
 };

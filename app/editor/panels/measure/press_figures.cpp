@@ -11,33 +11,24 @@ namespace {
 
 constexpr int figureDigits = 3;
 
-QString figureText(const ProbeResult* result, double (*value)(const ProbeResult&)) {
-    return result ? numberText(value(*result), figureDigits) : QString(QChar(0x2013));
+QString figureText(const MeasuredPress* press, std::optional<double> (*value)(const MeasuredPress&)) {
+    const std::optional<double> number = press ? value(*press) : std::nullopt;
+    return number ? numberText(*number, figureDigits) : QString(QChar(0x2013));
 }
 
 } // namespace
 
-PressFigures::PressFigures(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
+PressFigures::PressFigures(const std::vector<PressFigure>& figures, QWidget* parent)
+    : QWidget(parent), m_grid(new QGridLayout(this)) {
     m_grid->setContentsMargins(0, 0, 0, 0);
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(6);
     m_grid->setColumnStretch(0, 1);
     m_grid->addWidget(quietLabel(tr("now"), this), 0, 1, Qt::AlignRight);
     m_grid->addWidget(quietLabel(tr("before"), this), 0, 2, Qt::AlignRight);
-    addRow(tr("Depth, mm"), QStringLiteral("pressDepth"), tr("How deep the finger came, from first touch"),
-           [](const ProbeResult& result) { return 1000 * result.curve.back().depth; });
-    addRow(tr("Force, N"), QStringLiteral("pressForce"), tr("With which the organ resists at that depth"),
-           [](const ProbeResult& result) { return result.curve.back().force; });
-    addRow(tr("Stiffness at the start, N/mm"), QStringLiteral("stiffnessAtStart"),
-           tr("How steeply the force rises at the start"),
-           [](const ProbeResult& result) { return result.stiffnessAtStart / 1000; });
-    addRow(tr("Stiffness at the end, N/mm"), QStringLiteral("stiffnessAtEnd"),
-           tr("How steeply the force rises at the full depth"),
-           [](const ProbeResult& result) { return result.stiffness / 1000; });
-    addRow(tr("Modulus of an even solid, kPa"), QStringLiteral("equivalentModulus"),
-           tr("Young's modulus of one that is wide and deep beside the finger and would resist as much. Of a "
-              "hollow organ it says how firm it feels, not how firm its wall is"),
-           [](const ProbeResult& result) { return result.youngsModulus / 1000; });
+    for (const PressFigure& figure : figures)
+        addRow(figure);
+    m_grid->setRowStretch(m_grid->rowCount(), 1);
     setResults(nullptr, nullptr);
 }
 
@@ -52,8 +43,8 @@ QLabel* PressFigures::addValue(int row, int column, const QString& name) {
     return value;
 }
 
-void PressFigures::addRow(const QString& caption, const QString& name, const QString& explained,
-                          double (*value)(const ProbeResult&)) {
+void PressFigures::addRow(const PressFigure& figure) {
+    const auto& [caption, name, explained, value] = figure;
     const int row = m_grid->rowCount();
     QLabel* label = quietLabel(caption, this);
     label->setWordWrap(true);
@@ -65,7 +56,7 @@ void PressFigures::addRow(const QString& caption, const QString& name, const QSt
     m_rows.back().before->setAccessibleName(tr("%1, before").arg(caption));
 }
 
-void PressFigures::setResults(const ProbeResult* now, const ProbeResult* before) {
+void PressFigures::setResults(const MeasuredPress* now, const MeasuredPress* before) {
     for (const Row& row : m_rows) {
         row.now->setText(figureText(now, row.value));
         row.before->setText(figureText(before, row.value));

@@ -1,8 +1,8 @@
 #include "app/editor/panels/measure/press_view.h"
 
+#include "app/editor/panels/measure/finger_charts.h"
 #include "app/editor/panels/measure/measurement_file.h"
 #include "core/exchange/charts/chart_file.h"
-#include "core/exchange/charts/press_chart.h"
 #include "core/support/atomic_file.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -16,20 +16,6 @@ namespace {
 
 constexpr int roomForOneLine = 640; // pixels, of title and buttons
 
-ChartCurve curveOf(const QString& name, const MeasuredPress& press) {
-    ChartCurve curve{name, {}};
-    for (const PressPoint& point : press.result.curve)
-        curve.points.push_back({1000 * point.depth, point.force});
-    return curve;
-}
-
-/// As `esmc probe` names organs that it compares.
-std::vector<NamedPress> namedPresses(const VirtualTest& test) {
-    std::vector<NamedPress> presses{{"now", test.latest()->result.curve}};
-    if (test.former()) presses.push_back({"before", test.former()->result.curve});
-    return presses;
-}
-
 } // namespace
 
 PressView::PressView(Document& document, VirtualTest& test, QWidget* parent)
@@ -41,10 +27,6 @@ PressView::PressView(Document& document, VirtualTest& test, QWidget* parent)
     setObjectName(QStringLiteral("pressView"));
     setAttribute(Qt::WA_StyledBackground);
     m_chart->setObjectName(QStringLiteral("pressChart"));
-    m_chart->setAxes({tr("depth"), QStringLiteral("mm")}, {tr("force"), QStringLiteral("N")});
-    m_chart->setToolTip(tr("What the finger bears at each depth; the arrow keys go from one to the next"));
-    m_chart->setEmptyText(tr("Nothing is pressed yet. Click a place on the organ, then Press: here the force "
-                             "on the finger rises with its depth."));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 8, 12, 12);
     column->setSpacing(8);
@@ -52,6 +34,7 @@ PressView::PressView(Document& document, VirtualTest& test, QWidget* parent)
     column->addLayout(m_header);
     column->addWidget(m_chart, 1);
     connect(&m_test, &VirtualTest::changed, this, &PressView::refresh);
+    showKind();
     refresh();
 }
 
@@ -79,7 +62,16 @@ void PressView::resizeEvent(QResizeEvent* event) {
     m_header->setDirection(width() < roomForOneLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
+void PressView::showKind() {
+    const FingerChart chart = fingerChart(m_test.kind());
+    m_shownKind = m_test.kind();
+    m_chart->setAxes(chart.x, chart.y);
+    m_chart->setToolTip(chart.toolTip);
+    m_chart->setEmptyText(chart.empty);
+}
+
 void PressView::refresh() {
+    if (m_test.kind() != m_shownKind) showKind();
     const VirtualTest::Press &now = m_test.latest(), &before = m_test.former();
     const QString none = tr("Nothing is measured yet");
     enable(m_keep, now && now != before,
@@ -87,26 +79,29 @@ void PressView::refresh() {
            now ? tr("This test is the one that the next is compared with") : none);
     enable(m_clear, before != nullptr, tr("Draw the last test alone"),
            tr("There is no earlier test beside this one"));
-    enable(m_exportTable, now != nullptr, tr("Write depths and forces as a table (.csv)"), none);
+    enable(m_exportTable, now != nullptr,
+           m_test.kind() == FingerTest::Press ? tr("Write depths and forces as a table (.csv)")
+                                              : tr("Write times, depths and forces as a table (.csv)"),
+           none);
     enable(m_exportChart, now != nullptr, tr("Write the chart as a picture (.png or .svg)"), none);
-    m_title->setText(now ? tr("Force over depth, finger of radius %1")
-                               .arg(withUnit(1000 * now->settings.radius, QStringLiteral("mm"), 3))
-                         : tr("Force over depth"));
+    const QString title = fingerChart(m_test.kind()).title;
+    m_title->setText(now ? tr("%1, finger of radius %2")
+                               .arg(title, withUnit(1000 * now->settings.radius, QStringLiteral("mm"), 3))
+                         : title);
     if (now == m_shown && before == m_shownBefore) return;
     m_shown = now;
     m_shownBefore = before;
     std::vector<ChartCurve> curves;
-    if (now) curves.push_back(curveOf(tr("now"), *now));
-    if (before && before != now) curves.push_back(curveOf(tr("before"), *before));
+    if (now) curves.push_back(chartCurve(tr("now"), *now));
+    if (before && before != now) curves.push_back(chartCurve(tr("before"), *before));
     m_chart->setCurves(std::move(curves));
 }
 
 void PressView::exportTable() {
     const QString written = writeMeasurement(
         window(), fileForOthers(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
-        tr("The table was not written"), [this](const std::filesystem::path& file) {
-            writeFileAtomically(file, pressCsv(namedPresses(m_test)));
-        });
+        tr("The table was not written"),
+        [this](const std::filesystem::path& file) { writeFileAtomically(file, fingerCsv(m_test)); });
     if (!written.isEmpty()) emit message(written);
 }
 
@@ -116,7 +111,7 @@ void PressView::exportChart() {
                          fileForOthers(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
                                        {QStringLiteral(".png"), QStringLiteral(".svg")}),
                          tr("The chart was not written"), [this](const std::filesystem::path& file) {
-                             writeChart(pressChart(namedPresses(m_test)), file);
+                             writeChart(fingerDrawing(m_test), file);
                          });
     if (!written.isEmpty()) emit message(written);
 }

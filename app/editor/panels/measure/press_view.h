@@ -9,7 +9,7 @@
 
 namespace esm {
 
-/// Below the organ: the force on the finger over its depth, beside that of before.
+/// Below the organ: the force on the finger over its depth, or what goes on in time, beside that of before.
 class PressView : public QWidget {
     Q_OBJECT
 
@@ -27,12 +27,14 @@ protected:
 
 private:
     void buildHeader();
+    void showKind();
     void refresh();
     void exportTable();
     void exportChart();
 
     Document& m_document;
     VirtualTest& m_test;
+    FingerTest m_shownKind = FingerTest::Press;
     VirtualTest::Press m_shown, m_shownBefore;
     QBoxLayout* m_header;
     ElidedLabel* m_title;

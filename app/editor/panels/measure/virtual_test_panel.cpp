@@ -2,6 +2,9 @@
 
 #include "app/editor/dialogs/sentence.h"
 #include "app/editor/edits/preset_in_force.h"
+#include "app/editor/panels/measure/finger_figures.h"
+#include "core/probing/standing_finger.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -14,7 +17,8 @@ namespace esm {
 
 namespace {
 
-constexpr int unsaidTime = 300;    // ms; most tests of small organs are over by then
+constexpr int unsaidTime = 300; // ms; most tests of small organs are over by then
+constexpr int linesOfPurpose = 2;
 constexpr int linesOfMessage = 4;  // that the core's sentences need
 constexpr int wholeProgress = 100; // of the bar
 
@@ -23,6 +27,38 @@ NumberFormat fingerFormat() {
     format.decimals = -1; // small organs are pressed by tenths of a millimetre
     format.step = 0.0005;
     return format;
+}
+
+/// Longer than the finger takes to its depth.
+NumberFormat durationFormat() {
+    NumberFormat format = timeFormat();
+    format.minimum = 0.1;
+    format.maximum = 1e4;
+    return format;
+}
+
+/// What one kind of test is called and does.
+struct KindText {
+    QString name, said, button;
+};
+
+KindText textOf(FingerTest kind) {
+    switch (kind) {
+    case FingerTest::Press:
+        return {VirtualTestPanel::tr("Press"),
+                VirtualTestPanel::tr("Presses the organ at rest, and says how it resists."),
+                VirtualTestPanel::tr("Press")};
+    case FingerTest::Stay:
+        return {
+            VirtualTestPanel::tr("Press and stay"),
+            VirtualTestPanel::tr("Presses to a depth, stays there, and says how the force falls in time."),
+            VirtualTestPanel::tr("Press and stay")};
+    case FingerTest::Push:
+        break;
+    }
+    return {VirtualTestPanel::tr("Push with a force"),
+            VirtualTestPanel::tr("Pushes with one force all the time, and says how deep it sinks in."),
+            VirtualTestPanel::tr("Push")};
 }
 
 QString placeText(const std::optional<Eigen::Vector3d>& place) {
@@ -34,17 +70,20 @@ QString placeText(const std::optional<Eigen::Vector3d>& place) {
 } // namespace
 
 VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidget* parent)
-    : QWidget(parent), m_document(document), m_test(test),
-      m_choose(new QPushButton(tr("Choose on the organ"), this)), m_press(new QPushButton(tr("Press"), this)),
-      m_cancel(new QPushButton(tr("Cancel"), this)), m_radius(new NumberField(fingerFormat(), this)),
-      m_depth(new NumberField(fingerFormat(), this)), m_news(new QStackedWidget(this)),
-      m_message(new QLabel(this)), m_progress(new QProgressBar(this)), m_figures(new PressFigures(this)),
-      m_published(new ElidedLabel(this)) {
+    : QWidget(parent), m_document(document), m_test(test), m_said(new QLabel(this)),
+      m_choose(new QPushButton(tr("Choose on the organ"), this)), m_press(new QPushButton(this)),
+      m_cancel(new QPushButton(tr("Cancel"), this)), m_kind(new QComboBox(this)),
+      m_radius(new NumberField(fingerFormat(), this)), m_depth(new NumberField(fingerFormat(), this)),
+      m_force(new NumberField(forceFormat(), this)), m_duration(new NumberField(durationFormat(), this)),
+      m_news(new QStackedWidget(this)), m_message(new QLabel(this)), m_progress(new QProgressBar(this)),
+      m_figures(new QStackedWidget(this)), m_published(new ElidedLabel(this)) {
     auto* finger = new Section(tr("Finger"), this);
     finger->body()->addWidget(buildFinger());
     finger->body()->addWidget(buildButtons());
     finger->body()->addWidget(buildNews());
     auto* met = new Section(tr("What it met"), this);
+    for (std::size_t kind = 0; kind < fingerTests; ++kind)
+        m_figures->addWidget(new PressFigures(fingerFigures(static_cast<FingerTest>(kind)), m_figures));
     met->body()->addWidget(m_figures);
     m_published->setObjectName(QStringLiteral("publishedModulus"));
     m_published->setProperty("quiet", true);
@@ -66,31 +105,51 @@ QWidget* VirtualTestPanel::buildFinger() {
     auto* whole = new QWidget(this);
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* said = new QLabel(tr("Presses the organ at rest, and says how it resists."), whole);
-    said->setProperty("quiet", true);
-    said->setWordWrap(true);
-    column->addWidget(said);
+    m_said->setProperty("quiet", true);
+    m_said->setWordWrap(true);
+    m_said->setAlignment(Qt::AlignTop);
+    m_said->ensurePolished();
+    m_said->setMinimumHeight(linesOfPurpose * m_said->fontMetrics().lineSpacing());
+    column->addWidget(m_said);
     auto* rows = new ValueRows(whole);
     m_place = rows->addText(tr("Place"), QStringLiteral("pressPlace"));
     m_place->setToolTip(tr("Where it presses, on the organ at rest"));
     m_choose->setObjectName(QStringLiteral("choosePressPlace"));
     column->addWidget(rows);
     column->addWidget(m_choose);
-    rows = new ValueRows(whole);
-    m_radius->setObjectName(QStringLiteral("fingerRadius"));
-    m_radius->setToolTip(tr("Of the finger's round tip"));
-    rows->addField(tr("Ra&dius"), m_radius);
-    m_depth->setObjectName(QStringLiteral("fingerDepth"));
-    m_depth->setToolTip(tr("How deep it presses, from where it first touches"));
-    rows->addField(tr("De&pth"), m_depth);
-    column->addWidget(rows);
-    connect(m_radius, &NumberField::valueEdited, &m_test, &VirtualTest::setRadius);
-    connect(m_depth, &NumberField::valueEdited, &m_test, &VirtualTest::setDepth);
-    for (NumberField* field : {m_radius, m_depth})
+    column->addWidget(buildTest());
+    return whole;
+}
+
+ValueRows* VirtualTestPanel::buildTest() {
+    m_rows = new ValueRows(this);
+    for (std::size_t kind = 0; kind < fingerTests; ++kind)
+        m_kind->addItem(textOf(static_cast<FingerTest>(kind)).name);
+    m_kind->setObjectName(QStringLiteral("fingerTest"));
+    m_kind->setToolTip(tr("What the finger does. What was measured by the others stays"));
+    guardFromWheel(*m_kind);
+    m_rows->addField(tr("&Test"), m_kind);
+    m_rows->addField(tr("Ra&dius"), m_radius);
+    m_rows->addEither(tr("De&pth"), m_depth, tr("F&orce"), m_force);
+    m_rows->addField(tr("D&uration"), m_duration);
+    const auto connectField = [this](NumberField* field, const char* name, void (VirtualTest::*set)(double)) {
+        field->setObjectName(QString::fromLatin1(name));
+        connect(field, &NumberField::valueEdited, &m_test, set);
         connect(field, &QLineEdit::returnPressed, this, [this, field] {
             if (field->refusal().isEmpty()) press();
         });
-    return whole;
+    };
+    connectField(m_radius, "fingerRadius", &VirtualTest::setRadius);
+    connectField(m_depth, "fingerDepth", &VirtualTest::setDepth);
+    connectField(m_force, "fingerForce", &VirtualTest::setForce);
+    connectField(m_duration, "fingerDuration", &VirtualTest::setDuration);
+    m_radius->setToolTip(tr("Of the finger's round tip"));
+    m_depth->setToolTip(tr("How deep it presses, from where it first touches"));
+    m_force->setToolTip(tr("With which it is pushed from the first moment on; what the last press met, until "
+                           "another is typed"));
+    connect(m_kind, qOverload<int>(&QComboBox::activated), this,
+            [this](int kind) { m_test.chooseKind(static_cast<FingerTest>(kind)); });
+    return m_rows;
 }
 
 QWidget* VirtualTestPanel::buildButtons() {
@@ -142,29 +201,50 @@ void VirtualTestPanel::press() {
 
 void VirtualTestPanel::refresh() {
     m_place->setText(placeText(m_test.restPlace()));
-    m_radius->setValue(m_test.settings().radius);
-    m_depth->setValue(m_test.settings().depth);
+    showTest();
     const QString obstacle = m_test.obstacle();
     enable(m_press, obstacle.isEmpty(), tr("Measure how the organ resists the finger (Enter in a field)"),
            obstacle);
     enable(m_cancel, m_test.isPressing(), tr("Stop measuring; what was measured before stays"),
            tr("Nothing is being measured"));
-    const auto resultOf = [](const VirtualTest::Press& press) { return press ? &press->result : nullptr; };
-    m_figures->setResults(resultOf(m_test.latest()), resultOf(m_test.former()));
+    auto* figures = static_cast<PressFigures*>(m_figures->currentWidget());
+    figures->setResults(m_test.latest().get(), m_test.former().get());
     showPublished();
     showNews();
 }
 
-/// What to hold the modulus against, where the tissue at the place is as it was measured of people.
+void VirtualTestPanel::showTest() {
+    const FingerTest kind = m_test.kind();
+    const KindText text = textOf(kind);
+    m_said->setText(text.said);
+    m_press->setText(text.button);
+    m_kind->setCurrentIndex(static_cast<int>(kind));
+    m_figures->setCurrentIndex(static_cast<int>(kind));
+    m_rows->showField(kind == FingerTest::Push ? m_force : m_depth);
+    m_radius->setValue(m_test.settings().radius);
+    m_depth->setValue(m_test.settings().depth);
+    m_force->setValue(m_test.force());
+    m_duration->setValue(m_test.duration());
+    enable(m_duration, kind != FingerTest::Press,
+           kind == FingerTest::Stay ? tr("Of the whole test; the finger is at its depth within 0.05 s")
+                                    : tr("For how long it is pushed"),
+           tr("A press is measured at rest, however long that takes"));
+}
+
+/// What to hold the modulus or the relaxation time against, where the tissue at the place is as it was
+/// measured of people.
 void VirtualTestPanel::showPublished() {
     const auto place = m_test.restPlace();
     const auto preset = place ? presetInForceAt(m_document.project(), *place) : std::nullopt;
-    const auto modulus = preset ? preset->published.youngsModulus : std::nullopt;
-    m_published->setText(modulus ? tr("%1, published: %2")
-                                       .arg(QString::fromStdString(preset->title),
-                                            withUnit(*modulus / 1000, QStringLiteral("kPa"), 3))
-                                 : QString());
-    m_published->setToolTip(modulus ? QString::fromStdString(preset->source) : QString());
+    const bool isPress = m_test.kind() == FingerTest::Press;
+    const PublishedTissue published = preset ? preset->published : PublishedTissue();
+    const auto value = isPress ? published.youngsModulus : published.relaxationTime;
+    const QString number = !value    ? QString()
+                           : isPress ? withUnit(*value / 1000, QStringLiteral("kPa"), 3)
+                                     : withUnit(*value, QStringLiteral("s"), 3);
+    m_published->setText(value ? tr("%1, published: %2").arg(QString::fromStdString(preset->title), number)
+                               : QString());
+    m_published->setToolTip(value ? QString::fromStdString(preset->source) : QString());
 }
 
 void VirtualTestPanel::showNews() {
@@ -183,17 +263,40 @@ void VirtualTestPanel::showNews() {
 
 /// What else should be known of the numbers, the most needed first.
 QString VirtualTestPanel::remark() const {
-    const VirtualTest::Press &latest = m_test.latest(), &former = m_test.former();
+    const VirtualTest::Press& latest = m_test.latest();
     if (!latest) return m_test.place() ? QString() : m_test.obstacle();
-    if (m_test.isOutdated()) return tr("Measured before the last change of the tissue: press again.");
+    if (m_test.isOutdated()) return tr("Measured before the last change of the tissue: measure again.");
     if (latest->result.meetsFixed)
         return tr("The finger also lies on fixed nodes, whose force is not counted.");
-    if (!former) return {};
-    if (former->settings.radius != latest->settings.radius)
+    const QString onTime = remarkOnTime();
+    return onTime.isEmpty() ? remarkOnFormer() : onTime;
+}
+
+/// Why there is no time constant; empty where there is one, or none is asked for.
+QString VirtualTestPanel::remarkOnTime() const {
+    const MeasuredPress& latest = *m_test.latest();
+    const TimeCurve* curve = latest.inTime();
+    if (!curve || curve->timeConstant) return {};
+    if (latest.kind == FingerTest::Stay && hasNextToNoWay(*curve))
+        return tr("There is next to no way that a time constant could be told of: the force falls by less "
+                  "than 1 %.");
+    return tr("Less than two thirds of the way is gone by then: a longer duration tells the time constant.");
+}
+
+/// By what it differs from that which it is compared with, beside the tissue.
+QString VirtualTestPanel::remarkOnFormer() const {
+    if (!m_test.former()) return {};
+    const ProbeSettings &now = m_test.latest()->settings, &before = m_test.former()->settings;
+    if (before.radius != now.radius)
         return tr("What stands under before was measured with a finger of radius %1.")
-            .arg(withUnit(1000 * former->settings.radius, QStringLiteral("mm"), 3));
-    if (former->settings.place != latest->settings.place)
-        return tr("What stands under before was measured at another place.");
+            .arg(withUnit(1000 * before.radius, QStringLiteral("mm"), 3));
+    if (before.place != now.place) return tr("What stands under before was measured at another place.");
+    if (now.creep && before.creep->force != now.creep->force)
+        return tr("What stands under before was pushed with %1.")
+            .arg(withUnit(before.creep->force, QStringLiteral("N"), 3));
+    if (now.relaxation && before.depth != now.depth)
+        return tr("What stands under before was pressed %1 deep.")
+            .arg(withUnit(1000 * before.depth, QStringLiteral("mm"), 3));
     return {};
 }
 

@@ -7,6 +7,7 @@
 #include "widgets/inputs/section.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -14,7 +15,8 @@
 
 namespace esm {
 
-/// A finger that presses the organ: where, how large, how deep; and what it met in numbers.
+/// A finger that presses the organ: where, by which test, how large, how deep or hard; and what it met in
+/// numbers.
 class VirtualTestPanel : public QWidget {
     Q_OBJECT
 
@@ -26,25 +28,31 @@ public:
 
 private:
     QWidget* buildFinger();
+    ValueRows* buildTest();
     QWidget* buildButtons();
     QWidget* buildNews();
     void press();
     void refresh();
+    void showTest();
     void showNews();
     void showPublished();
     QString remark() const;
+    QString remarkOnTime() const;
+    QString remarkOnFormer() const;
 
     Document& m_document;
     VirtualTest& m_test;
-    QLabel* m_place;
+    QLabel *m_said, *m_place;
     QPushButton *m_choose, *m_press, *m_cancel;
-    NumberField *m_radius, *m_depth;
+    QComboBox* m_kind;
+    ValueRows* m_rows;
+    NumberField *m_radius, *m_depth, *m_force, *m_duration;
     QStackedWidget* m_news; ///< what is said, or how far the work is
     QLabel* m_message;
     QProgressBar* m_progress;
-    QTimer m_patience; ///< until work is long enough for a bar
-    PressFigures* m_figures;
-    ElidedLabel* m_published; ///< what is published of the tissue there
+    QTimer m_patience;         ///< until work is long enough for a bar
+    QStackedWidget* m_figures; ///< of each kind of test
+    ElidedLabel* m_published;  ///< what is published of the tissue there
 };
 
 } // namespace esm

@@ -10,6 +10,11 @@ namespace {
 
 class VirtualTestTest : public PressedOrgan {};
 
+class VirtualTestInTime : public PressedOrgan {
+protected:
+    VirtualTestInTime() : PressedOrgan(solidDetail()) {}
+};
+
 TEST_F(VirtualTestTest, PressesOnceAPlaceIsChosenAndTheTissueIsThere) {
     awaitTissue();
     EXPECT_FALSE(test.obstacle().isEmpty());
@@ -108,6 +113,82 @@ TEST_F(VirtualTestTest, AnotherOrganHasNeitherPlaceNorResult) {
     EXPECT_FALSE(test.isPressing());
     EXPECT_FALSE(test.place());
     EXPECT_FALSE(test.latest());
+}
+
+TEST_F(VirtualTestInTime, StaysAndTellsHowTheForceFalls) {
+    test.choosePlace(placeIn(5));
+    test.chooseKind(FingerTest::Stay);
+    test.setDuration(0.5);
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    const TimeCurve* curve = test.latest()->inTime();
+    ASSERT_TRUE(curve);
+    EXPECT_NEAR(curve->points.back().time, 0.5, 1e-9);
+    EXPECT_NEAR(curve->end.depth, 0.001, 1e-9);
+    ASSERT_TRUE(test.latest()->tissueTime);
+    EXPECT_GT(*test.latest()->tissueTime, 0);
+}
+
+TEST_F(VirtualTestInTime, PushesWithWhatTheLastPressMetUntilAForceIsChosen) {
+    test.choosePlace(placeIn(5));
+    measure();
+    ASSERT_TRUE(test.latest());
+    const double met = test.latest()->result.curve.back().force;
+    EXPECT_NEAR(test.force(), met, 0.05 * met) << "in two digits";
+    test.chooseKind(FingerTest::Push);
+    test.setDuration(0.5);
+    test.setDepth(0.9); // which a push does not ask for
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    EXPECT_NEAR(test.latest()->inTime()->end.force, test.force(), 1e-3 * test.force());
+    EXPECT_NEAR(test.latest()->inTime()->end.depth, 0.001, 0.0001) << "where the press met that force";
+    test.setForce(2 * test.force());
+    const double chosen = test.force();
+    test.chooseKind(FingerTest::Press);
+    test.setDepth(0.001);
+    measure();
+    EXPECT_EQ(test.force(), chosen);
+}
+
+TEST_F(VirtualTestInTime, EachKindOfTestHasItsOwnResultAndFailure) {
+    test.choosePlace(placeIn(5));
+    measure();
+    const VirtualTest::Press pressed = test.latest();
+    ASSERT_TRUE(pressed);
+    test.keepLatest();
+    test.chooseKind(FingerTest::Push);
+    EXPECT_FALSE(test.latest());
+    EXPECT_FALSE(test.former());
+    test.setForce(1e5);
+    measure();
+    EXPECT_NE(test.failure(), "");
+    test.chooseKind(FingerTest::Press);
+    EXPECT_EQ(test.failure(), "");
+    EXPECT_EQ(test.latest(), pressed);
+    EXPECT_EQ(test.former(), pressed);
+}
+
+TEST_F(VirtualTestInTime, ViscosityCountsForTestsInTimeAlone) {
+    test.choosePlace(placeIn(5));
+    test.setForce(0.05);
+    measure();
+    test.chooseKind(FingerTest::Push);
+    measure();
+    const VirtualTest::Press before = test.latest();
+    ASSERT_TRUE(before) << test.failure();
+    document.edit("dampen", [](Project& project) {
+        for (Region& region : project.regions)
+            region.held.viscosity = 3 * region.held.viscosity.value_or(5);
+    });
+    ESM_EVENTUALLY(test.isOutdated());
+    measure();
+    EXPECT_EQ(test.former(), before);
+    EXPECT_FALSE(test.isOutdated());
+    test.setForce(1.5 * test.force());
+    measure();
+    EXPECT_FALSE(test.former()) << "another force says nothing of the tissue";
+    test.chooseKind(FingerTest::Press);
+    EXPECT_FALSE(test.isOutdated()) << "at rest no damper bears anything";
 }
 
 } // namespace

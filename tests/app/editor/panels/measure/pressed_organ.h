@@ -10,8 +10,8 @@ namespace esm {
 /// The sample liver, by few nodes so that it is pressed soon, and a finger.
 class PressedOrgan : public testing::Test {
 protected:
-    PressedOrgan()
-        : document(withDetail(makeSample("liver"), {Detail::Kind::Nodes, 500})), test(document, preview) {
+    explicit PressedOrgan(const Detail& detail = {Detail::Kind::Nodes, 500})
+        : document(withDetail(makeSample("liver"), detail)), test(document, preview) {
         QObject::connect(&document, &Document::changed, &preview,
                          [this] { preview.setProject(document.project()); });
         preview.setProject(document.project());
@@ -41,5 +41,10 @@ protected:
     Preview preview;
     VirtualTest test;
 };
+
+/// The same filled with nodes.
+inline Detail solidDetail() {
+    return {Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::BodyCentred, 0.02}};
+}
 
 } // namespace esm

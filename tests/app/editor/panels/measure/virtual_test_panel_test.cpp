@@ -16,7 +16,8 @@ namespace {
 
 class VirtualTestPanelTest : public PressedOrgan {
 protected:
-    VirtualTestPanelTest() : panel(document, test), view(document, test) {
+    explicit VirtualTestPanelTest(const Detail& detail = {Detail::Kind::Nodes, 500})
+        : PressedOrgan(detail), panel(document, test), view(document, test) {
         panel.resize(276, 700);
         view.resize(900, 320);
         for (QWidget* widget : std::initializer_list<QWidget*>{&panel, &view}) {
@@ -41,6 +42,12 @@ protected:
         QTest::keyClicks(field, text);
         QTest::keyClick(field, Qt::Key_Return);
     }
+    void chooseTest(int row) {
+        auto* list = panel.findChild<QComboBox*>("fingerTest");
+        list->setCurrentIndex(row);
+        emit list->activated(row);
+    }
+    bool isShown(const char* name) { return panel.findChild<QWidget*>(name)->isVisible(); }
     QString drawn() { return view.findChild<CurveChart*>()->spokenValue(); }
 
     VirtualTestPanel panel;
@@ -131,6 +138,25 @@ TEST_F(VirtualTestPanelTest, SaysWhatIsPublishedOfTheTissueAtThePlace) {
                 testing::HasSubstr("3.3 to 7.8 kPa"));
 }
 
+TEST_F(VirtualTestPanelTest, AsksForWhatEachKindOfTestNeedsAndNothingMoves) {
+    const int height = panel.sizeHint().height();
+    const QPoint below = panel.findChild<QWidget*>("fingerDuration")->mapTo(&panel, QPoint());
+    EXPECT_FALSE(panel.findChild<NumberField*>("fingerDuration")->isEnabled());
+    EXPECT_THAT(panel.findChild<NumberField*>("fingerDuration")->toolTip().toStdString(),
+                testing::HasSubstr("at rest"));
+    chooseTest(1);
+    EXPECT_TRUE(isShown("fingerDepth"));
+    EXPECT_FALSE(isShown("fingerForce"));
+    EXPECT_TRUE(panel.findChild<NumberField*>("fingerDuration")->isEnabled());
+    EXPECT_EQ(button("pressButton").text(), "Press and stay");
+    chooseTest(2);
+    EXPECT_FALSE(isShown("fingerDepth"));
+    EXPECT_TRUE(isShown("fingerForce"));
+    EXPECT_EQ(panel.findChild<QLabel*>("pushForce")->text(), QString(QChar(0x2013)));
+    ESM_EVENTUALLY(panel.findChild<QWidget*>("fingerDuration")->mapTo(&panel, QPoint()) == below);
+    EXPECT_EQ(panel.sizeHint().height(), height);
+}
+
 TEST_F(VirtualTestPanelTest, SavesTableAndChartOfBothCurves) {
     QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     test.choosePlace(placeIn(5));
@@ -151,6 +177,45 @@ TEST_F(VirtualTestPanelTest, SavesTableAndChartOfBothCurves) {
     EXPECT_THAT(table, testing::HasSubstr("\nbefore,0.001,"));
     EXPECT_THAT(save("Save chart…", "press.png"), testing::StartsWith("\x89PNG"));
     EXPECT_THAT(save("Save chart…", "press.svg"), testing::HasSubstr(">before<"));
+}
+
+class VirtualTestPanelInTime : public VirtualTestPanelTest {
+protected:
+    VirtualTestPanelInTime() : VirtualTestPanelTest(solidDetail()) {}
+};
+
+TEST_F(VirtualTestPanelInTime, ShowsHowTheFingerSinksInAndSavesIt) {
+    QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    test.choosePlace(placeIn(5));
+    awaitTissue();
+    chooseTest(2);
+    type("fingerForce", "50 mN");
+    type("fingerDuration", "2");
+    ESM_EVENTUALLY(test.latest() && !test.isPressing());
+    EXPECT_EQ(said("pushForce"), "0.0500");
+    EXPECT_NE(said("pushRestDepth"), QString(QChar(0x2013)));
+    EXPECT_NE(said("pushTissueTime"), QString(QChar(0x2013)));
+    EXPECT_THAT(drawn().toStdString(), testing::StartsWith("2.00 s: "));
+    const TemporaryFolder folder;
+    DialogScript dialogs;
+    dialogs.expectFile(folder / "push.csv");
+    buttonSaying("Save table…").click();
+    const Bytes bytes = readFile(folder / "push.csv");
+    EXPECT_THAT(std::string(bytes.begin(), bytes.end()),
+                testing::StartsWith("name,time_s,depth_m,force_n\nnow,0,0,0.05\n"));
+    chooseTest(0);
+    EXPECT_EQ(drawn(), "nothing measured yet");
+}
+
+TEST_F(VirtualTestPanelInTime, SaysWhereThereIsNoTimeConstant) {
+    test.choosePlace(placeIn(5));
+    awaitTissue();
+    chooseTest(2);
+    test.setForce(0.05);
+    type("fingerDuration", "0.5");
+    ESM_EVENTUALLY(test.latest() && !test.isPressing());
+    EXPECT_EQ(said("pushTimeConstant"), QString(QChar(0x2013)));
+    EXPECT_THAT(said("pressMessage").toStdString(), testing::HasSubstr("a longer duration"));
 }
 
 } // namespace
