@@ -22,9 +22,9 @@ constexpr double looseness = 0.01; ///< of the balance, while the pushes still c
 constexpr double nearlyBalanced = 1e-4;
 constexpr double smallMove = 1e-5;  ///< in radii
 constexpr double firstTouch = 1e-3; ///< in radii
-constexpr double leastTie = 1e-8;   ///< of what resists the stiffest node
-constexpr double tieGrowth = 8;
-constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000, mostTies = 16;
+constexpr double leastTie = 1e-6;   ///< of what resists the stiffest node
+constexpr double tieGrowth = 16;
+constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000, mostTies = 10;
 constexpr int mostReaches = 12; ///< each twice as far as the one before
 
 /// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
@@ -198,9 +198,11 @@ void PressedTissue::minimise(double tolerance) {
 // tied to where they are by as little as makes the matrix positive (Levenberg 1944). Half of that matrix
 // being left out instead, the method would creep along a fold, whose way down is what is left out.
 NewtonWay PressedTissue::newtonWay(const Vectors& forces) {
-    m_tie /= tieGrowth * tieGrowth;
-    if (auto way = newtonWay(forces, 0)) return *way;
-    m_tie = std::max(m_tie, leastTie * m_stiffest);
+    m_tie /= tieGrowth;
+    if (m_tie < leastTie * m_stiffest) {
+        if (auto way = newtonWay(forces, 0)) return *way;
+        m_tie = leastTie * m_stiffest;
+    }
     for (int attempt = 0; attempt < mostTies; ++attempt, m_tie *= tieGrowth)
         if (auto way = newtonWay(forces, m_tie)) return *way;
     throw InvalidModel("the tissue beneath the finger cannot be balanced, since next to nothing holds parts "
