@@ -32,6 +32,20 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, con
     form->addRow(label, choice);
 }
 
+/// Lets the fields of two forms, one below the other, begin in one line.
+void alignFields(const std::array<const QFormLayout*, 2>& forms) {
+    std::vector<QWidget*> labels;
+    for (const QFormLayout* form : forms)
+        for (int row = 0; row < form->rowCount(); ++row)
+            if (QLayoutItem* label = form->itemAt(row, QFormLayout::LabelRole))
+                labels.push_back(label->widget());
+    int widest = 0;
+    for (const QWidget* label : labels)
+        widest = std::max(widest, label->sizeHint().width());
+    for (QWidget* label : labels)
+        label->setMinimumWidth(widest);
+}
+
 QString trianglesText(std::size_t count) {
     return count == 1 ? QObject::tr("1 triangle") : QObject::tr("%1 triangles").arg(countText(count));
 }
@@ -194,6 +208,7 @@ void ImportDialog::addOrientation(QVBoxLayout* column) {
               m_keep->isEnabled() ? tr("Which parts of the file become the organ")
                                   : tr("The surface is one part"));
     column->addLayout(form);
+    if (const auto* below = qobject_cast<QFormLayout*>(m_body->layout())) alignFields({form, below});
 }
 
 void ImportDialog::showWhetherPossible() {

@@ -42,7 +42,8 @@ FingerTool::FingerTool(const ToolContext& context) : m_test(context.virtualTest)
 }
 
 void FingerTool::click(const ToolMouse& mouse) {
-    if (const auto picked = mouse.picked()) m_test.choosePlace(picked->carried);
+    const auto picked = mouse.picked();
+    if (picked) m_test.choosePlace(picked->carried, picked->normal.dot(picked->spot.outward) < 0);
 }
 
 /// As it first touches: its size tells what it will cover.

@@ -79,8 +79,9 @@ VirtualTest::VirtualTest(Document& document, Preview& preview, QObject* parent)
     fitFinger();
 }
 
-void VirtualTest::choosePlace(const CarriedPlace& place) {
+void VirtualTest::choosePlace(const CarriedPlace& place, bool isSeenFromInside) {
     m_place = place;
+    m_isSeenFromInside = isSeenFromInside;
     tellChoice();
 }
 

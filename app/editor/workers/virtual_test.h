@@ -38,7 +38,10 @@ public:
 
     /// Where the finger presses; none before one is chosen, and on another organ.
     const std::optional<CarriedPlace>& place() const { return m_place; }
-    void choosePlace(const CarriedPlace& place);
+    /// @param isSeenFromInside as through the mouth of an open organ
+    void choosePlace(const CarriedPlace& place, bool isSeenFromInside = false);
+    /// Whether the place was chosen at the wall's inside; it is pressed from outside all the same.
+    bool isSeenFromInside() const { return m_place && m_isSeenFromInside; }
     /// The same on the organ at rest, m.
     std::optional<Eigen::Vector3d> restPlace() const;
     /// Which test is measured next, and told of by all below.
@@ -115,6 +118,7 @@ private:
     Preview& m_preview;
     std::shared_ptr<const TriangleMesh> m_mesh; ///< that the place lies on
     std::optional<CarriedPlace> m_place;
+    bool m_isSeenFromInside = false;
     ProbeSettings m_settings;
     FingerTest m_kind = FingerTest::Press;
     double m_force, m_duration;

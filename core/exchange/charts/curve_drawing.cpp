@@ -91,11 +91,11 @@ public:
         drawing.labels.push_back({{x + 12, y}, name});
     }
 
-    /// The number stands above the chart, where no curve is.
-    void drawMark(double mark, const Drawing::Colour& colour) {
-        const double x = m_x(mark);
+    /// The text stands above the chart, where no curve is.
+    void drawMark(const DrawnMark& mark, const Drawing::Colour& colour) {
+        const double x = m_x(mark.x);
         drawing.lines.push_back({{x, curvesTop}, {x, curvesBottom}, colour});
-        drawing.labels.push_back({{x, curvesTop - 4}, roundedText(mark, 3), Drawing::Anchor::Middle});
+        drawing.labels.push_back({{x, curvesTop - 4}, mark.text, Drawing::Anchor::Middle});
     }
 
     Drawing drawing{curvesWidth, curvesHeight, {}, {}, {}};

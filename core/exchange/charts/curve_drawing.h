@@ -6,11 +6,17 @@
 
 namespace esm {
 
+/// A line across a chart at an x, and what it means.
+struct DrawnMark {
+    double x;
+    std::string text; ///< ASCII
+};
+
 /// What a curve is called, and where it goes, in the units of the axes.
 struct DrawnCurve {
     std::string name; ///< ASCII
     std::vector<Drawing::Place> points;
-    std::optional<double> mark; ///< of x: a line across the chart, with its number
+    std::optional<DrawnMark> mark;
 };
 
 /// What stands at the two axes, with the unit: "depth, mm".

@@ -7,10 +7,19 @@
 
 namespace esm {
 
+namespace {
+
+std::optional<DrawnMark> markAt(const std::optional<double>& time, const TimeCurve& curve) {
+    if (!time) return std::nullopt;
+    return DrawnMark{*time, "time constant " + roundedText(*curve.timeConstant, 3) + " s"};
+}
+
+} // namespace
+
 Drawing relaxationChart(const std::vector<NamedTimeCurve>& tests) {
     std::vector<DrawnCurve> curves;
     for (const auto& [name, relaxation] : tests) {
-        DrawnCurve curve{name, {}, fallenAt(relaxation)};
+        DrawnCurve curve{name, {}, markAt(fallenAt(relaxation), relaxation)};
         for (const TimedPress& point : standingFinger(relaxation).points)
             curve.points.push_back({point.time, point.force});
         curves.push_back(std::move(curve));
@@ -21,7 +30,7 @@ Drawing relaxationChart(const std::vector<NamedTimeCurve>& tests) {
 Drawing creepChart(const std::vector<NamedTimeCurve>& tests) {
     std::vector<DrawnCurve> curves;
     for (const auto& [name, creep] : tests) {
-        DrawnCurve curve{name, {}, creep.timeConstant};
+        DrawnCurve curve{name, {}, markAt(creep.timeConstant, creep)};
         for (const TimedPress& point : creep.points)
             curve.points.push_back({point.time, 1000 * point.depth});
         curves.push_back(std::move(curve));

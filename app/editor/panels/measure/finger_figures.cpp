@@ -49,12 +49,12 @@ std::vector<PressFigure> figuresOfStay() {
     return {figure(QObject::tr("Depth, mm"), "stayDepth",
                    QObject::tr("How deep the finger stays, from first touch"),
                    [](const MeasuredPress& press) -> Value { return 1000 * press.inTime()->end.depth; }),
-            figure(QObject::tr("Largest force, N"), "stayLargestForce",
+            figure(QObject::tr("Largest force, N"), "stayLargestForce",
                    QObject::tr("Once the finger stands; what the tissue bears while it moves is left out"),
                    [](const MeasuredPress& press) -> Value {
                        return standingFinger(*press.inTime()).largest.force;
                    }),
-            figure(QObject::tr("Force at rest, N"), "stayRestForce",
+            figure(QObject::tr("Force at rest, N"), "stayRestForce",
                    QObject::tr("With which the organ resists however long the finger stays"),
                    [](const MeasuredPress& press) -> Value { return press.inTime()->end.force; }),
             figure(QObject::tr("Time constant, s"), "stayTimeConstant",
@@ -73,12 +73,12 @@ std::vector<PressFigure> figuresOfStay() {
 std::vector<PressFigure> figuresOfPush() {
     return {figure(QObject::tr("Force, N"), "pushForce", QObject::tr("With which the finger is pushed"),
                    [](const MeasuredPress& press) -> Value { return press.inTime()->end.force; }),
-            figure(QObject::tr("Depth at the end, mm"), "pushDepth",
+            figure(QObject::tr("Depth at the end, mm"), "pushDepth",
                    QObject::tr("How deep the finger was when the time was over"),
                    [](const MeasuredPress& press) -> Value {
                        return 1000 * press.inTime()->points.back().depth;
                    }),
-            figure(QObject::tr("Depth at rest, mm"), "pushRestDepth",
+            figure(QObject::tr("Depth at rest, mm"), "pushRestDepth",
                    QObject::tr("How deep the finger sinks however long it is pushed"),
                    [](const MeasuredPress& press) -> Value { return 1000 * press.inTime()->end.depth; }),
             figure(QObject::tr("Time constant, s"), "pushTimeConstant",
@@ -86,8 +86,9 @@ std::vector<PressFigure> figuresOfPush() {
             figure(tissueTimeCaption(), "pushTissueTime",
                    QObject::tr(
                        "Viscosity over spring constant at the place, as the workspace Tissue says it: how "
-                       "long stretched tissue takes. A dent in a hollow organ takes several times as long, "
-                       "as it bends the wall and hardly stretches it"),
+                       "long stretched tissue takes. A dent takes longer, as it also moves the organ in its "
+                       "tethers; several times as long in a hollow organ, whose wall it bends and hardly "
+                       "stretches"),
                    tissueTime)};
 }
 

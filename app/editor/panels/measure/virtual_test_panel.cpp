@@ -264,7 +264,7 @@ void VirtualTestPanel::showNews() {
 /// What else should be known of the numbers, the most needed first.
 QString VirtualTestPanel::remark() const {
     const VirtualTest::Press& latest = m_test.latest();
-    if (!latest) return m_test.place() ? QString() : m_test.obstacle();
+    if (!latest) return m_test.place() ? remarkOnPlace() : m_test.obstacle();
     if (m_test.isOutdated()) return tr("Measured before the last change of the tissue: measure again.");
     if (latest->result.meetsFixed)
         return tr("The finger also lies on fixed nodes, whose force is not counted.");
@@ -285,7 +285,7 @@ QString VirtualTestPanel::remarkOnTime() const {
 
 /// By what it differs from that which it is compared with, beside the tissue.
 QString VirtualTestPanel::remarkOnFormer() const {
-    if (!m_test.former()) return {};
+    if (!m_test.former()) return remarkOnPlace();
     const ProbeSettings &now = m_test.latest()->settings, &before = m_test.former()->settings;
     if (before.radius != now.radius)
         return tr("What stands under before was measured with a finger of radius %1.")
@@ -297,7 +297,12 @@ QString VirtualTestPanel::remarkOnFormer() const {
     if (now.relaxation && before.depth != now.depth)
         return tr("What stands under before was pressed %1 deep.")
             .arg(withUnit(1000 * before.depth, QStringLiteral("mm"), 3));
-    return {};
+    return remarkOnPlace();
+}
+
+QString VirtualTestPanel::remarkOnPlace() const {
+    return m_test.isSeenFromInside() ? tr("You see the wall's inside here; the finger presses from outside.")
+                                     : QString();
 }
 
 } // namespace esm

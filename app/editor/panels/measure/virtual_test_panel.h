@@ -39,6 +39,7 @@ private:
     QString remark() const;
     QString remarkOnTime() const;
     QString remarkOnFormer() const;
+    QString remarkOnPlace() const;
 
     Document& m_document;
     VirtualTest& m_test;

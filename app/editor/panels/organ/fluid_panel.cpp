@@ -58,9 +58,38 @@ QString pressureText(double pascal) {
         .arg(kilopascalText(pascal), decimalText(pascal / pascalPerMillimetreOfMercury, 1));
 }
 
-/// "Part 2": as scene files, reports and messages number it.
+bool holdsFluid(const Scene& scene, std::uint32_t part) {
+    return fluidOf(scene, part) || pressureOf(scene, part);
+}
+
+/// "Part 2", which files number 1: people count from 1.
 QString nameOf(const FillablePart& part) {
-    return QObject::tr("Part %1").arg(part.part);
+    return QObject::tr("Part %1").arg(part.part + 1);
+}
+
+/// All that a scene says of fluids, and nothing else, which may be large.
+Scene fluidsOf(const Scene& scene) {
+    Scene fluids;
+    fluids.fillings = scene.fillings;
+    fluids.pressures = scene.pressures;
+    return fluids;
+}
+
+/// The only part whose fluid or pressure is another in two scenes.
+std::optional<std::uint32_t> changedPart(const Scene& before, const Scene& after) {
+    std::optional<std::uint32_t> only;
+    std::vector<std::uint32_t> parts = fluidParts(before);
+    for (const std::uint32_t part : fluidParts(after))
+        if (!holdsFluid(before, part)) parts.push_back(part);
+    const auto isSame = [](const auto* a, const auto* b) { return a && b ? *a == *b : a == b; };
+    for (const std::uint32_t part : parts) {
+        if (isSame(fluidOf(before, part), fluidOf(after, part)) &&
+            isSame(pressureOf(before, part), pressureOf(after, part)))
+            continue;
+        if (only) return std::nullopt;
+        only = part;
+    }
+    return only;
 }
 
 /// Those that can be filled first, the largest before others; returns how many they are.
@@ -80,10 +109,6 @@ QWidget* beside(QWidget* left, NumberField* field) {
     row->addWidget(left, 1);
     row->addWidget(field);
     return both;
-}
-
-bool holdsFluid(const Scene& scene, std::uint32_t part) {
-    return fluidOf(scene, part) || pressureOf(scene, part);
 }
 
 /// "Part 2 · 84.00 mL · filled".
@@ -115,6 +140,7 @@ FluidPanel::FluidPanel(Document& document, Preview& preview, QWidget* parent)
     // As wide as the fields of tissue above.
     for (NumberField* field : {m_stiffness, m_pressure})
         field->setFixedWidth(m_stiffness->widthFor(QStringLiteral("N·s/m")));
+    m_fluids = fluidsOf(document.project().scene);
     addRows();
     connectFields();
     findParts();
@@ -177,6 +203,8 @@ void FluidPanel::connectFields() {
     connect(&m_document, &Document::changed, this, [this](const Change& change) {
         if (change.mesh) findParts();
         if (change.mesh || change.tissue || change.scene) listParts();
+        if (change.scene && !change.mesh) showChangedPart();
+        m_fluids = fluidsOf(m_document.project().scene);
     });
     connect(&m_preview, &Preview::tissueReady, this, &FluidPanel::show);
     connect(&m_preview, &Preview::statusChanged, this, &FluidPanel::showNow);
@@ -210,6 +238,12 @@ void FluidPanel::listParts() {
         m_part->addItem(m_parts.empty() ? QString(QChar(0x2013)) : tr("no part is closed"));
     m_part->setCurrentIndex(std::max(0, m_part->findData(before)));
     show();
+}
+
+/// What is undone or done again is seen, also of a part that is not shown.
+void FluidPanel::showChangedPart() {
+    const std::optional<std::uint32_t> changed = changedPart(m_fluids, m_document.project().scene);
+    if (const int row = changed ? m_part->findData(*changed) : -1; row >= 0) m_part->setCurrentIndex(row);
 }
 
 const FillablePart* FluidPanel::part() const {
@@ -251,8 +285,10 @@ void FluidPanel::show() {
     const QString why = refusal();
     const FluidFilling* fluid = shown ? fluidOf(scene, shown->part) : nullptr;
     enable(m_part, shown,
-           tr("Connected parts of the surface that are closed, the largest first. The number "
-              "is the one that scene files and reports name a part by"),
+           shown ? tr("Connected parts of the surface that are closed, the largest first. Scene files and "
+                      "reports count from 0: there this one is part %1")
+                       .arg(shown->part)
+                 : QString(),
            why);
     enable(
         m_filled, why.isEmpty(),

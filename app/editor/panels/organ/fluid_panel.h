@@ -29,6 +29,7 @@ private:
     void connectFields();
     void findParts();
     void listParts();
+    void showChangedPart();
     void show();
     void showPressure(const PartPressure* pressure, const QString& refusal);
     void showAside();
@@ -48,6 +49,7 @@ private:
     PartFinder::Surface m_surface;     ///< that was looked at last
     std::vector<FillablePart> m_parts; ///< of it, those that can be filled first, the largest before others
     std::size_t m_closed = 0;          ///< of these, that can be filled
+    Scene m_fluids;                    ///< as they were before the next change, and nothing else
     QComboBox* m_part;
     QCheckBox* m_filled;
     NumberField *m_stiffness, *m_pressure;

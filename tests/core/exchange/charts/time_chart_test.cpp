@@ -40,7 +40,7 @@ TEST(TimeChart, DrawsTheForceFromWhenTheFingerStands) {
     EXPECT_EQ(chart.dots.size(), 3U + 1U) << "points, and one of the legend";
     EXPECT_TRUE(hasLabel(chart, "time, s"));
     EXPECT_TRUE(hasLabel(chart, "force, N"));
-    EXPECT_TRUE(hasLabel(chart, "0.26")) << "when 1/e of the way is left";
+    EXPECT_TRUE(hasLabel(chart, "time constant 0.2 s")) << "when 1/e of the way is left";
     EXPECT_GT(labelOf(chart, "now").place.x, chart.width / 2) << "away from a curve that falls";
 }
 

@@ -126,6 +126,14 @@ TEST_F(VirtualTestPanelTest, ShowsBeforeAndAfterAndSaysWhatIsOld) {
     EXPECT_THAT(said("pressMessage").toStdString(), testing::HasSubstr("another place"));
 }
 
+TEST_F(VirtualTestPanelTest, SaysThatItPressesFromOutsideWhereTheInsideWasClicked) {
+    awaitTissue();
+    test.choosePlace(placeIn(5), true);
+    EXPECT_THAT(said("pressMessage").toStdString(), testing::HasSubstr("from outside"));
+    test.choosePlace(placeIn(5));
+    EXPECT_EQ(said("pressMessage"), "");
+}
+
 TEST_F(VirtualTestPanelTest, SaysWhatIsPublishedOfTheTissueAtThePlace) {
     test.choosePlace(placeIn(5));
     EXPECT_EQ(said("publishedModulus"), "");

@@ -53,12 +53,28 @@ protected:
 TEST_F(FluidPanelTest, ListsClosedPartsTheLargestFirst) {
     show(ballsOf({0.01, 0.03, 0.02}, true));
     ASSERT_EQ(part()->count(), 2);
-    EXPECT_TRUE(part()->itemText(0).startsWith("Part 1 · ")) << part()->itemText(0).toStdString();
+    EXPECT_TRUE(part()->itemText(0).startsWith("Part 2 · ")) << part()->itemText(0).toStdString();
     EXPECT_TRUE(part()->itemText(0).endsWith(" mL"));
-    EXPECT_TRUE(part()->itemText(1).startsWith("Part 0 · "));
+    EXPECT_TRUE(part()->itemText(1).startsWith("Part 1 · "));
     EXPECT_EQ(part()->currentIndex(), 0);
     EXPECT_EQ(textOf("fluidAside"), "1 open part holds no fluid");
-    EXPECT_TRUE(child<QLabel>("fluidAside")->toolTip().startsWith("Part 2 is open"));
+    EXPECT_TRUE(child<QLabel>("fluidAside")->toolTip().startsWith("Part 3 is open"));
+}
+
+TEST_F(FluidPanelTest, UndoShowsThePartThatItIsAbout) {
+    show(ballsOf({0.01, 0.03, 0.02}));
+    part()->setCurrentIndex(2);
+    filled()->click();
+    const QString smallest = part()->currentText();
+    EXPECT_TRUE(smallest.startsWith("Part 1 · "));
+    EXPECT_TRUE(part()->toolTip().contains("this one is part 0"));
+    part()->setCurrentIndex(0);
+    undo().undo();
+    EXPECT_EQ(part()->currentIndex(), 2);
+    EXPECT_FALSE(filled()->isChecked());
+    part()->setCurrentIndex(0);
+    undo().redo();
+    EXPECT_EQ(part()->currentText(), smallest);
 }
 
 TEST_F(FluidPanelTest, ListsNoMoreOfManySmallPartsThanCanBeChosenFrom) {
@@ -66,7 +82,7 @@ TEST_F(FluidPanelTest, ListsNoMoreOfManySmallPartsThanCanBeChosenFrom) {
     fillPart(many, 39, 1000);
     show(std::move(many));
     EXPECT_EQ(part()->count(), 31);
-    EXPECT_TRUE(part()->itemText(30).startsWith("Part 39 · "));
+    EXPECT_TRUE(part()->itemText(30).startsWith("Part 40 · "));
     EXPECT_TRUE(part()->itemText(30).endsWith(" · filled"));
     EXPECT_EQ(textOf("fluidAside"), "9 small ones are not listed");
 }
@@ -155,7 +171,7 @@ TEST_F(FluidPanelTest, SaysWhyASolidOrAnOpenOrganHoldsNone) {
     show(ballsOf({0.03}, true));
     for (const QWidget* field : std::initializer_list<QWidget*>{part(), filled(), stiffness(), pressure()}) {
         EXPECT_FALSE(field->isEnabled());
-        EXPECT_TRUE(field->toolTip().startsWith("Part 0 is open")) << field->toolTip().toStdString();
+        EXPECT_TRUE(field->toolTip().startsWith("Part 1 is open")) << field->toolTip().toStdString();
     }
     const Detail solid{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::BodyCentred, 0.02}};
     window->document().replace(withDetail(makeSample("liver"), solid), std::nullopt);
