@@ -94,7 +94,7 @@ void declareImport(CLI::App& command, ImportOptions& options) {
 
 /// @throws UsageError, InvalidModel
 Detail detailFor(const ImportOptions& options, const TriangleMesh& mesh) {
-    const auto filling = chosenFilling(mesh, options.filling);
+    const auto filling = chosenFilling(mesh, options.filling, usualWallThickness);
     if (!filling) {
         Detail detail = options.detail;
         detail.isEven = options.isEven;

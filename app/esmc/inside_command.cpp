@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/filling_options.h"
+#include "app/esmc/filling_report.h"
 #include "app/esmc/model_report.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/project_output.h"
@@ -39,24 +40,24 @@ std::size_t whole(double count) {
 Report estimateReport(const Project& project, const LatticeFilling& filling) {
     const LatticeEstimate estimate = estimateLattice(*project.mesh, filling);
     Report report;
-    report.json["lattice"] = wordOf(filling.kind);
-    report.json["spacing"] = filling.spacing;
+    addFilling(report.json, filling);
     report.json["nodes"] = std::round(estimate.nodes);
     report.json["springs"] = std::round(estimate.springs);
     report.json["tetrahedra"] = std::round(estimate.tetrahedra);
     report.json["bytes"] = std::round(estimate.bytes);
     report.text.push_back(
-        std::string(wordOf(filling.kind)) + " lattice, spacing " + inText(filling.spacing) + " m: about " +
+        fillingText(filling) + (isWall(filling) ? ": " : ": about ") +
         counted(whole(estimate.nodes), "node") + ", " + counted(whole(estimate.springs), "spring") + ", " +
         counted(whole(estimate.tetrahedra), "tetrahedron", "tetrahedra") + "; filling takes about " +
         std::to_string(whole(estimate.bytes / 1e6)) + " MB of memory");
     std::vector<std::string> warnings;
-    if (estimate.spacing < 0.99 * filling.spacing)
+    if (!isWall(filling) && estimate.spacing < 0.99 * filling.spacing)
         warnings.push_back("the organ is too thin for that spacing: neighbours would lie about " +
                            inText(estimate.spacing) + " m apart");
     if (estimate.nodes > mostLatticeNodes)
         warnings.push_back("more than " + std::to_string(whole(mostLatticeNodes)) +
-                           " nodes are refused: choose a wider spacing");
+                           " nodes are refused: choose " +
+                           (isWall(filling) ? "fewer layers" : "a wider spacing"));
     addWarnings(report, warnings);
     return report;
 }
@@ -66,7 +67,7 @@ Report runInside(const InsideOptions& options, Context& context) {
     std::optional<ProjectOutput> output;
     if (!options.output.empty()) output.emplace(options.output);
     const Project opened = openedProject(options.project, context);
-    const auto filling = chosenFilling(*opened.mesh, options.filling);
+    const auto filling = chosenFilling(*opened.mesh, options.filling, opened.base.wallThickness);
     if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
     if (!output) return estimateReport(opened, *filling);
     const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : hollowDetail(opened);
@@ -76,9 +77,12 @@ Report runInside(const InsideOptions& options, Context& context) {
 } // namespace
 
 void addInsideCommand(CLI::App& app, Context& context) {
-    addCommand(app, context,
-               Command<InsideOptions>{"inside", "Fill a closed organ with a lattice of springs, or hollow it",
-                                      declareInside, runInside});
+    addCommand(
+        app, context,
+        Command<InsideOptions>{"inside",
+                               "Fill a closed organ with a lattice of springs, give it a wall of prisms, or "
+                               "hollow it",
+                               declareInside, runInside});
 }
 
 } // namespace esm

@@ -1,5 +1,6 @@
 #include "app/esmc/model_report.h"
 
+#include "app/esmc/filling_report.h"
 #include "core/geometry/adjacency.h"
 #include "core/geometry/open_borders.h"
 #include "core/model/detail.h"
@@ -97,11 +98,11 @@ void addDetail(Report& report, const TriangleMesh& mesh, const SpringNetwork& ne
         report.text.push_back("detail: " + counted(detail.nodes, "node") + " carry " + drawn);
         return;
     case Detail::Kind::Filled:
-        report.json["detail"] = {{"lattice", wordOf(detail.filling->kind)},
-                                 {"spacing", detail.filling->spacing},
-                                 {"tetrahedra", network.lattice->tetrahedra.size()}};
-        report.text.push_back("inside: " + std::string(wordOf(detail.filling->kind)) + " lattice, spacing " +
-                              inText(detail.filling->spacing) + " m, " +
+        report.json["detail"] = Json::object();
+        addFilling(report.json["detail"], *detail.filling);
+        report.json["detail"]["tetrahedra"] = network.lattice->tetrahedra.size();
+        if (isWall(*detail.filling)) addWall(report, network, mesh.triangles.size());
+        report.text.push_back("inside: " + fillingText(*detail.filling) + ", " +
                               counted(network.lattice->tetrahedra.size(), "tetrahedron", "tetrahedra") +
                               "; its nodes carry " + drawn);
         return;

@@ -21,6 +21,11 @@ std::shared_ptr<const TriangleMesh> scaled(const TriangleMesh& mesh, double fact
         TriangleMesh{scaled(mesh.vertices, factor), mesh.triangles, mesh.textureCoordinates});
 }
 
+void scale(LatticeFilling& filling, double factor) {
+    filling.spacing *= factor;
+    filling.wallThickness *= factor;
+}
+
 /// A binding's shares and turns do not depend on size, nor do a lattice's. Rest lengths are scaled on their
 /// own, not taken anew from the places: a network may have been drawn with tension.
 std::shared_ptr<const SpringNetwork> scaled(const SpringNetwork& network, double factor) {
@@ -28,7 +33,7 @@ std::shared_ptr<const SpringNetwork> scaled(const SpringNetwork& network, double
     result->restPositions = scaled(network.restPositions, factor);
     for (Spring& spring : result->springs)
         spring.restLength *= factor;
-    if (result->lattice) result->lattice->filling.spacing *= factor;
+    if (result->lattice) scale(result->lattice->filling, factor);
     return result;
 }
 
@@ -82,9 +87,9 @@ std::shared_ptr<const Atlas> scaled(const Atlas& atlas, double factor) {
     return result;
 }
 
-/// Of a filled organ, whose lattice is known by its spacing.
+/// Of a filled organ, whose lattice is known by its spacing, its wall by its thickness.
 ByValue<MeasuredAccuracy> scaled(MeasuredAccuracy accuracy, double factor) {
-    accuracy.detail.filling->spacing *= factor;
+    scale(*accuracy.detail.filling, factor);
     return std::make_shared<const MeasuredAccuracy>(std::move(accuracy));
 }
 

@@ -3,6 +3,7 @@
 #include "core/model/motion_model.h"
 #include "core/model/net_elasticity.h"
 #include "core/solid/lattice_binding.h"
+#include "core/solid/prism_wall.h"
 #include "core/support/errors.h"
 #include "core/surface/simplify.h"
 
@@ -26,20 +27,46 @@ SpringNetwork coarserNetwork(const TriangleMesh& mesh, std::size_t nodes, const 
     return network;
 }
 
+/// Springs at rest where the nodes are, and their shares.
+void addLatticeSprings(SpringNetwork& network, Lattice& lattice, const std::vector<LatticeSpring>& springs) {
+    for (const auto& [first, second, constant] : springs) {
+        network.springs.push_back(
+            {first, second, (network.restPositions[first] - network.restPositions[second]).norm()});
+        lattice.springShares.push_back(constant);
+    }
+}
+
+/// The outer nodes of the wall are the vertices, and each carries its own.
+SpringNetwork walledNetwork(const TriangleMesh& mesh, const LatticeFilling& filling,
+                            const Progress& progress) {
+    PrismWall wall = prismWall(mesh, filling, progress);
+    SpringNetwork network;
+    Binding binding;
+    const double whole = 1;
+    for (const std::uint32_t& node : wall.vertexNodes)
+        binding.vertices.add({{&node, 1}, {&whole, 1}});
+    network.binding = std::move(binding);
+    network.vertexNodes = std::move(wall.vertexNodes);
+    network.restPositions = std::move(wall.nodes);
+    Lattice lattice{filling, {}, outerTriangles(wall.tetrahedra), {}};
+    addLatticeSprings(network, lattice, wall.springs);
+    lattice.tetrahedra = std::move(wall.tetrahedra);
+    network.lattice = std::move(lattice);
+    return network;
+}
+
 SpringNetwork filledNetwork(const TriangleMesh& mesh, const LatticeFilling& filling,
                             const Progress& progress) {
+    if (isWall(filling)) return walledNetwork(mesh, filling, progress);
     ProgressParts parts(progress);
     FilledBody filled = fillBody(mesh, filling, parts.next(0.8));
     SpringNetwork network;
     network.binding = bindToLattice(mesh, filled, parts.rest());
     network.vertexNodes = mainNodes(*network.binding);
     Lattice lattice{filling, {}, outerTriangles(filled.tetrahedra), {}};
-    for (const auto& [first, second, constant] : filled.springs) {
-        network.springs.push_back({first, second, (filled.nodes[first] - filled.nodes[second]).norm()});
-        lattice.springShares.push_back(constant);
-    }
-    lattice.tetrahedra = std::move(filled.tetrahedra);
     network.restPositions = std::move(filled.nodes);
+    addLatticeSprings(network, lattice, filled.springs);
+    lattice.tetrahedra = std::move(filled.tetrahedra);
     network.lattice = std::move(lattice);
     return network;
 }

@@ -3,8 +3,8 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/model/net_elasticity.h"
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace esm {
 
@@ -35,6 +35,15 @@ bool everyPartIsHeld(const SpringNetwork& network, std::uint32_t every) {
     return true;
 }
 
+/// Of a wall the nodes of its outer side alone: what surrounds an organ does not reach into it.
+std::vector<std::uint32_t> nodesToSurroundings(const SpringNetwork& network) {
+    if (!isWall(network.lattice->filling)) return surfaceNodes(*network.lattice);
+    std::vector<std::uint32_t> nodes = network.vertexNodes;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+}
+
 } // namespace
 
 std::vector<OuterNode> outerNodes(const SpringNetwork& network) {
@@ -45,9 +54,11 @@ std::vector<OuterNode> outerNodes(const SpringNetwork& network) {
         return outer;
     }
     const std::vector<double> areas = nodeAreas(network.restPositions, network.lattice->surface);
-    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
-    for (const std::uint32_t node : surfaceNodes(*network.lattice))
+    double area = 0;
+    for (const std::uint32_t node : nodesToSurroundings(network)) {
         outer.push_back({node, areas[node]});
+        area += areas[node];
+    }
     for (OuterNode& node : outer)
         node.size *= static_cast<double>(outer.size()) / area;
     return outer;

@@ -13,7 +13,7 @@ struct OuterNode {
     double size;
 };
 /// In order: all nodes of a surface, each as much as any other, or of an even sheet by its area; of a lattice
-/// those at its surface, by a third of the area around them.
+/// those at its surface, by a third of the area around them; of a wall those of its outer side.
 std::vector<OuterNode> outerNodes(const SpringNetwork& network);
 
 /// The tethers of a rule: at the first node that they can hold and at each `every`-th after it, each as

@@ -14,11 +14,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::string placeText(const Vector3d& place) {
-    return "(" + roundedText(place.x(), 4) + ", " + roundedText(place.y(), 4) + ", " +
-           roundedText(place.z(), 4) + ") m";
-}
-
 void refuseOpen(const TriangleMesh& mesh, const EdgeCounts& edges) {
     if (edges.boundary > 0) {
         const std::vector<OpenBorder> borders = openBordersOf(mesh);
@@ -111,6 +106,11 @@ void append(ClosedBody& body, SurfaceShell shell, bool isCavity) {
 }
 
 } // namespace
+
+std::string placeText(const Vector3d& place) {
+    return "(" + roundedText(place.x(), 4) + ", " + roundedText(place.y(), 4) + ", " +
+           roundedText(place.z(), 4) + ") m";
+}
 
 // Shells do not run through each other, so that each lies in another whole or not at all, and one point
 // tells. Within an even number of others a shell has tissue inside; within an odd number it is the wall of a

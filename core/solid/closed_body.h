@@ -4,6 +4,7 @@
 #include "core/surface/surface_query.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -20,6 +21,9 @@ struct ClosedBody {
 /// a cavity of it, one within a cavity a body of its own, whichever way each faces.
 /// @throws InvalidModel where the surface is open, has no inside, runs through itself or encloses nothing
 std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh);
+
+/// "(0.1, 0.2, 0.3) m"
+std::string placeText(const Eigen::Vector3d& place);
 
 /// How often a surface winds around a point: 1 within a body, 0 outside (generalised winding number, Jacobson
 /// et al. 2013). Every triangle is asked.

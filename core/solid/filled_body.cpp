@@ -1,6 +1,7 @@
 #include "core/solid/filled_body.h"
 
 #include "core/solid/lattice_springs.h"
+#include "core/solid/prism_wall.h"
 #include "core/solid/relaxation.h"
 #include "core/solid/trimming.h"
 #include "core/solid/unit_cell.h"
@@ -178,6 +179,7 @@ LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double node
 }
 
 LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling) {
+    if (isWall(filling)) return estimateWall(mesh, filling);
     checkFilling(filling);
     const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
     refuseTooWide(bodies, filling.spacing);

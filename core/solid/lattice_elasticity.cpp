@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -81,6 +83,7 @@ double relativeModulus(LatticeKind kind) {
 }
 
 double latticeConstant(const LatticeFilling& filling, double youngsModulus) {
+    if (isWall(filling)) return std::sqrt(3.0) / 2 * filling.wallThickness * youngsModulus;
     return youngsModulus * filling.spacing / relativeModulus(filling.kind);
 }
 

@@ -25,13 +25,15 @@ struct LatticeElasticity {
 /// (Cauchy). Cubic: E = 5c/(2a). Body-centred: E = 5c/(3a), a being the cube's edge. Diamond's anisotropy is
 /// 2 whatever the share of its second neighbours: its nearest ones resist compression alone, and a
 /// face-centred lattice has 2.
+/// Precondition: no prisms, which repeat nowhere.
 LatticeElasticity elasticityOf(LatticeKind kind);
 
 /// Young's modulus of the solid that a lattice stands for, relative as above. A bare diamond lattice has
 /// none; it stands for the solid of ν = 1/4 with its bulk modulus.
 double relativeModulus(LatticeKind kind);
 
-/// The constant between nearest neighbours with which a lattice stands for a solid, N/m.
+/// The constant with which a lattice stands for a solid, N/m: between nearest neighbours; of a wall of prisms
+/// that of the regular triangular net which is as stiff, c = √3·t·E/2.
 /// @param youngsModulus Pa
 double latticeConstant(const LatticeFilling& filling, double youngsModulus);
 

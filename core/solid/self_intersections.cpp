@@ -115,9 +115,11 @@ std::optional<Vector3d> meeting(const TriangleMesh& mesh, const Triangle& one, c
     return std::nullopt;
 }
 
-/// Pairs of one stretch of cells, and of two stretches one behind the other.
-SelfIntersections both(const SelfIntersections& one, const SelfIntersections& other) {
-    return {one.pairs + other.pairs, one.pairs > 0 ? one.first : other.first};
+/// Those of one stretch of cells, then those of the next.
+std::vector<MeetingTriangles> both(std::vector<MeetingTriangles> one,
+                                   const std::vector<MeetingTriangles>& other) {
+    one.insert(one.end(), other.begin(), other.end());
+    return one;
 }
 
 } // namespace
@@ -125,21 +127,27 @@ SelfIntersections both(const SelfIntersections& one, const SelfIntersections& ot
 // Two triangles that intersect beyond touching have an edge of one through the inside of the other. Only
 // those whose boxes meet are tried; a grid of cubes as wide as two triangles finds them in time linear in the
 // surface.
-SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh) {
+std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return {};
     const TriangleGrid grid(mesh);
     return tbb::parallel_deterministic_reduce(
-        tbb::blocked_range<std::size_t>(0, grid.cellCount(), 256), SelfIntersections{},
-        [&](const tbb::blocked_range<std::size_t>& cells, SelfIntersections found) {
+        tbb::blocked_range<std::size_t>(0, grid.cellCount(), 256), std::vector<MeetingTriangles>{},
+        [&](const tbb::blocked_range<std::size_t>& cells, std::vector<MeetingTriangles> found) {
             for (std::size_t cell = cells.begin(); cell < cells.end(); ++cell)
                 grid.forEachPair(cell, [&](std::uint32_t one, std::uint32_t other) {
                     auto place = meeting(mesh, mesh.triangles[one], mesh.triangles[other]);
                     if (!place) place = meeting(mesh, mesh.triangles[other], mesh.triangles[one]);
-                    if (place) found = both(found, {1, *place});
+                    if (place) found.push_back({one, other, *place});
                 });
             return found;
         },
         both);
+}
+
+SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh) {
+    const std::vector<MeetingTriangles> found = meetingTriangles(mesh);
+    if (found.empty()) return {};
+    return {found.size(), found.front().place};
 }
 
 } // namespace esm

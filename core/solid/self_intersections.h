@@ -6,8 +6,15 @@
 
 namespace esm {
 
-/// Pairs of triangles that run through each other: an edge of one pierces the inside of the other. What only
+/// Two triangles that run through each other: an edge of one pierces the inside of the other. What only
 /// touches does not count, nor do neighbours folded onto each other.
+struct MeetingTriangles {
+    std::uint32_t one, other;
+    Eigen::Vector3d place; ///< m
+};
+std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh);
+
+/// How many such pairs there are.
 struct SelfIntersections {
     std::size_t pairs = 0;
     Eigen::Vector3d first = Eigen::Vector3d::Zero(); ///< where the first of them meet

@@ -111,6 +111,7 @@ CellPlan planOf(LatticeKind kind) {
     case LatticeKind::Diamond:
         return diamondPlan(true);
     case LatticeKind::BareDiamond:
+    case LatticeKind::Prisms: // which has no cell
         break;
     }
     return diamondPlan(false);

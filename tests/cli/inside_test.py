@@ -46,6 +46,40 @@ class InsideTest(Case):
             self.assertAlmostEqual(done["nodes"] / 3000, 1, delta=0.35)
             self.assertEqual(told["spacing"], done["detail"]["spacing"])
 
+    def test_an_open_organ_gets_a_wall_of_prisms_and_is_hollow_again(self):
+        mesh = self.file("open.obj", "\n".join(surface().splitlines()[:-1]) + "\n")
+        self.project = self.file("organ.esm")
+        hollow = self.done("import", mesh, "-o", self.project)
+        told = self.done("inside", self.project, "--fill", "prisms", "--wall-thickness", 0.002)
+        walled = self.filled("--fill", "prisms", "--wall-thickness", 0.002)
+        self.assertEqual({key: walled["detail"][key] for key in ("lattice", "wall_thickness", "layers", "tetrahedra")},
+                         {"lattice": "prisms", "wall_thickness": 0.002, "layers": 2, "tetrahedra": 6 * hollow["triangles"]})
+        for key in ("nodes", "springs"):
+            self.assertEqual(told[key], walled[key], key)
+        self.assertEqual(walled["nodes"], 3 * hollow["nodes"])
+        self.assertGreater(walled["wall"]["volume"], 0)
+        self.assertLessEqual(walled["wall"]["least_thickness"], 0.002 * (1 + 1e-9))
+        self.assertAlmostEqual(walled["mass"], hollow["mass"], places=12)
+        self.assertTrue(self.done("validate", self.project)["valid"])
+        self.assertEqual(self.done("info", self.project)["detail"], walled["detail"])
+        package = self.file("organ.glb")
+        self.done("export", self.project, "--to", "glb", "-o", package)
+        self.assertTrue(self.done("validate", package)["valid"])
+        self.assertEqual(self.done("info", package)["detail"], walled["detail"])
+        subprocess.run([sys.executable, READER, package, "--project", self.project], check=True, stdout=subprocess.DEVNULL)
+        again = self.filled("--fill", "none")
+        self.assertEqual((again["nodes"], again["springs"], again["detail"]), (hollow["nodes"], hollow["springs"], None))
+        imported = self.done("import", mesh, "-o", self.project, "--fill", "prisms", "--wall-thickness", 0.002, "--layers", 1)
+        self.assertEqual(imported["nodes"], 2 * hollow["nodes"])
+
+    def test_what_has_no_wall_is_refused(self):
+        self.imported()
+        line = ["inside", self.project, "-o", self.project, "--fill", "prisms"]
+        self.assertIn("too thick", self.fails(1, *line, "--wall-thickness", 0.9, naming="organ.esm"))
+        self.fails(2, *line, "--spacing", 0.01)
+        self.fails(2, "inside", self.project, "--fill", "cubic", "--layers", 2)
+        self.fails(2, "inside", self.project, "--fill", "cubic", "--wall-thickness", 0.002)
+
     def test_a_simulator_gets_the_filled_organ(self):
         self.imported("--fill", "body-centred", "--spacing", 0.015)
         package = self.file("organ.glb")

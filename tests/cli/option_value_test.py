@@ -20,6 +20,7 @@ COMMANDS = {
                         "--close": AMOUNT, "--fill-holes": WHOLE + ["1", "2", "-3", "501"],
                         "--fill": ["foam", ""], "--spacing": POSITIVE, "--springs": ["some", ""],
                         "--bending": POSITIVE + ["1.5", "None"],
+                        "--wall-thickness": POSITIVE + ["1.5"], "--layers": WHOLE + ["0", "9"],
                         "--detail": ["3", "-5", "half", "2.5", "99999999999", ""]},
     "sample tube": {"name": ["spleen", ""], "-o": TO_PROJECT},
     "sample vessels": {"name": ["spleen", ""], "-o": ["-", "out.esm", ""]},
@@ -39,7 +40,8 @@ COMMANDS = {
                          "--bending": POSITIVE + ["1.5", "None"]},
     "scale organ.esm": {"project": FILE, "-o": TO_PROJECT, "--factor": POSITIVE, "--keep": ["volume", ""],
                         "--points": ["x", "1 2 3", "0 0 0 0 0 0", "nan 0 0 1 1 1", ""], "--length": POSITIVE},
-    "inside organ.esm --fill cubic": {"project": FILE, "-o": TO_PROJECT, "--fill": ["foam", "Cubic", ""], "--spacing": POSITIVE},
+    "inside organ.esm --fill cubic": {"project": FILE, "-o": TO_PROJECT, "--fill": ["foam", "Cubic", ""], "--spacing": POSITIVE,
+                                        "--wall-thickness": POSITIVE + ["1.5"], "--layers": WHOLE + ["0", "9"]},
     "sheet organ.esm --springs even": {"project": FILE, "-o": TO_PROJECT, "--springs": ["some", "Even", ""]},
     "scene organ.esm --scene scene.json": {"project": FILE, "--scene": FILE, "-o": TO_PROJECT},
     "simulate organ.esm --scene scene.json": {

@@ -268,7 +268,8 @@ class Package:
         if "starts" in self.json.get("binding", {}):
             needed = 6
         self.is_stretched = "layout" in self.json.get("texture", {})
-        known = (9,) if "fillings" in self.json else (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
+        is_walled = self.json.get("lattice", {}).get("kind") == "prisms"
+        known = (9,) if "fillings" in self.json or is_walled else (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
         check(self.json["version"] in known, "another version of the extension")
         check(not self.is_stretched or self.json["texture"]["layout"] in ("charts", "own"), "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")
@@ -329,8 +330,11 @@ class Package:
 
     def check_lattice(self):
         group = self.json["lattice"]
-        check(group["kind"] in ("cubic", "body-centred", "diamond", "bare-diamond"), "an unknown kind of lattice")
-        check(group["spacing"] > 0, "a lattice without spacing")
+        check(group["kind"] in ("cubic", "body-centred", "diamond", "bare-diamond", "prisms"), "an unknown kind of lattice")
+        if group["kind"] == "prisms":
+            check(group["wallThickness"] > 0 and 1 <= group["layers"] <= 8, "a wall without thickness or layers")
+        else:
+            check(group["spacing"] > 0, "a lattice without spacing")
         tetrahedra = threes(self.array(group, "tetrahedra", group["tetrahedronCount"], 4), 4)
         surface = threes(self.array(group, "triangles", group["triangleCount"], 3))
         shares = self.array(group, "springShares", self.spring_count)

@@ -47,6 +47,8 @@ void expectSameBinding(const std::optional<Binding>& a, const std::optional<Bind
 void expectSameLattice(const Lattice& a, const Lattice& b) {
     EXPECT_EQ(a.filling.kind, b.filling.kind);
     EXPECT_TRUE(sameBits(a.filling.spacing, b.filling.spacing));
+    EXPECT_TRUE(sameBits(a.filling.wallThickness, b.filling.wallThickness));
+    EXPECT_EQ(a.filling.layers, b.filling.layers);
     EXPECT_EQ(a.tetrahedra, b.tetrahedra);
     EXPECT_EQ(a.surface, b.surface);
     EXPECT_TRUE(sameList(a.springShares, b.springShares, sameBits));

@@ -50,6 +50,7 @@ QString aboutText(const std::optional<LatticeKind>& kind) {
     case LatticeKind::Diamond:
         return QObject::tr("As in diamond, with second neighbours: firmer along some directions than "
                            "others, up to twice.");
+    case LatticeKind::Prisms: // which the command line makes
     case LatticeKind::BareDiamond:
         break;
     }
@@ -106,9 +107,10 @@ InsideDialog::InsideDialog(const Project& project, QWidget* parent)
     rejectOnEscape(*this);
     connect(&m_finder, &InsideFinder::answered, this, &InsideDialog::takeAnswer);
     const Detail now = detailOf(*project.network);
-    m_kind->setCurrentIndex(m_kind->findData(now.filling ? static_cast<int>(now.filling->kind)
-                                                         : static_cast<int>(LatticeKind::BodyCentred)));
-    if (now.filling) m_spacing->setValue(now.filling->spacing);
+    const bool isLattice = now.filling && !isWall(*now.filling);
+    m_kind->setCurrentIndex(m_kind->findData(isLattice ? static_cast<int>(now.filling->kind)
+                                                       : static_cast<int>(LatticeKind::BodyCentred)));
+    if (isLattice) m_spacing->setValue(now.filling->spacing);
     connect(m_kind, qOverload<int>(&QComboBox::currentIndexChanged), this, &InsideDialog::chooseKind);
     connect(m_spacing, &NumberField::valueEdited, this, &InsideDialog::lookAgain);
     showScene(project.network);

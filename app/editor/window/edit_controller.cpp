@@ -30,8 +30,10 @@ namespace {
 Detail ofNodes(const Project& project, std::size_t nodes) {
     if (!project.network->lattice)
         return {Detail::Kind::Nodes, nodes, {}, project.network->sheet.has_value()};
-    const LatticeKind kind = project.network->lattice->filling.kind;
-    return {Detail::Kind::Filled, 0, fillingOf(*project.mesh, kind, static_cast<double>(nodes))};
+    const LatticeFilling& filling = project.network->lattice->filling;
+    // A wall has the nodes of its surface.
+    if (isWall(filling)) return {Detail::Kind::Filled, 0, filling};
+    return {Detail::Kind::Filled, 0, fillingOf(*project.mesh, filling.kind, static_cast<double>(nodes))};
 }
 
 } // namespace

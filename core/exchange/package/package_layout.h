@@ -18,6 +18,9 @@ constexpr int versionOfStretchedLayouts = 7;
 /// The first version in which a lattice may fill the body.
 constexpr int versionOfLattices = 8;
 
+/// The first version in which what fills the body may be a wall of prisms.
+constexpr int versionOfWalls = 9;
+
 /// The first version whose fuzzy systems may say tissue in clinical units.
 constexpr int versionOfClinicalUnits = 9;
 

@@ -76,6 +76,7 @@ int projectVersionOf(const Project& project) {
     needs.splits = !project.scene.splits.empty();
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
     needs.lattice = project.network->lattice.has_value();
+    needs.prisms = needs.lattice && isWall(project.network->lattice->filling);
     needs.sheet = project.network->sheet.has_value();
     needs.stretchedLayout = needsStretchedLayout(project);
     return versionOf(needs);

@@ -38,6 +38,17 @@ TEST(Surroundings, HoldABodyAtItsSurfaceAlone) {
         EXPECT_EQ(surface.count(tether.node), 1U) << tether.node;
 }
 
+TEST(Surroundings, HoldAWallAtItsOuterSideAlone) {
+    const Detail wall{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.004, 2}};
+    const Project hollow = lump({}), walled = lump(wall);
+    const std::size_t vertices = walled.mesh->vertices.size();
+    EXPECT_EQ(outerNodes(*walled.network).size(), vertices);
+    for (const Tether& tether : evaluateModel(walled).tethers)
+        EXPECT_EQ(walled.network->restPositions[tether.node], walled.mesh->vertices[tether.node]);
+    EXPECT_NEAR(strengthOf(walled) / strengthOf(hollow), 1, 0.05);
+    EXPECT_NEAR(strengthOf(withDetail(hollow, wall)) / strengthOf(hollow), 1, 0.05);
+}
+
 TEST(Surroundings, HoldABodyAsStronglyAsItsSurface) {
     const Project hollow = lump({}), solid = lump(filled);
     EXPECT_NEAR(strengthOf(solid) / strengthOf(hollow), 1, 0.05);

@@ -20,9 +20,12 @@ QString millimetres(const Eigen::Vector3d& metres, const QString& between) {
 }
 
 /// How the simulated nodes move what is drawn.
-QString carryingText(Detail::Kind kind) {
+QString carryingText(const Detail& detail) {
+    const Detail::Kind kind = detail.kind;
     if (kind == Detail::Kind::Nodes)
         return QObject::tr("Fewer nodes are simulated and carry the full surface");
+    if (detail.filling && isWall(*detail.filling))
+        return QObject::tr("A wall of prisms lies beneath the surface; every vertex is a node");
     if (kind == Detail::Kind::Filled) return QObject::tr("A lattice fills the body and carries the surface");
     if (kind == Detail::Kind::Rigid) return QObject::tr("A few springs move the surface as one stiff piece");
     return QObject::tr("Every vertex is a node");
@@ -30,6 +33,8 @@ QString carryingText(Detail::Kind kind) {
 
 QString insideText(const Detail& detail) {
     if (!detail.filling) return QObject::tr("hollow");
+    if (isWall(*detail.filling))
+        return QObject::tr("wall, %1 mm").arg(numberText(1000 * detail.filling->wallThickness, 2));
     return QObject::tr("solid, %1 mm apart").arg(numberText(1000 * detail.filling->spacing, 2));
 }
 
@@ -105,7 +110,7 @@ void ModelPanel::showMesh() {
     m_nodes->setText(countText(project.network->restPositions.size()));
     m_springs->setText(countText(project.network->springs.size()));
     m_vertices->setText(countText(project.mesh->vertices.size()));
-    m_vertices->setToolTip(carryingText(detailOf(*project.network).kind));
+    m_vertices->setToolTip(carryingText(detailOf(*project.network)));
     m_inside->setText(insideText(detailOf(*project.network)));
     m_size->setText(millimetres(box.sizes(), QStringLiteral(" × ")));
     m_centre->setText(millimetres(box.center(), QStringLiteral(", ")));

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/esmc/report.h"
+#include "core/model/spring_network.h"
+
+#include <string>
+
+namespace esm {
+
+/// `lattice` and `spacing`, of prisms `wall_thickness` and `layers`.
+void addFilling(Json& json, const LatticeFilling& filling);
+
+/// "cubic lattice, spacing 0.01 m", "wall of prisms, 0.003 m in 1 layer"
+std::string fillingText(const LatticeFilling& filling);
+
+/// `wall`: what a wall of prisms came to; its `volume` (m³), at how many vertices it is thinner than asked
+/// for (`shortened`), and how thick it is where it is thinnest (`least_thickness`, m), and under how many
+/// triangles there is none (`left_out`).
+/// @param triangles of the drawn surface
+/// Precondition: the
+/// network has one.
+void addWall(Report& report, const SpringNetwork& network, std::size_t triangles);
+
+} // namespace esm
