@@ -10,7 +10,8 @@ constexpr std::size_t atOnce = 3; ///< right-hand sides, by a factor
 
 /// A⁻¹·sides, without what stands beside the matrix; 0 at fixed nodes.
 std::vector<Vectors> solutions(const PotentialCurvature& curvature, const std::vector<Vectors>& sides) {
-    const auto& [factor, rows, terms] = curvature;
+    const BlockFactor& factor = curvature.factor;
+    const BlockEntries& rows = curvature.rows;
     std::vector<Vectors> result(sides.size(), Vectors(sides.front().size(), Eigen::Vector3d::Zero()));
     std::vector<Eigen::Vector3d> solved(factor.rowCount());
     for (std::size_t first = 0; first < sides.size(); first += atOnce) {
@@ -18,7 +19,8 @@ std::vector<Vectors> solutions(const PotentialCurvature& curvature, const std::v
         const auto forEachNumber = [&](const auto& visit) {
             for (std::uint32_t node = 0; node < result.front().size(); ++node)
                 for (int axis = 0; rows.rowOf(node) >= 0 && axis < 3; ++axis) {
-                    const auto row = static_cast<std::size_t>(rows.rowOf(node) + axis);
+                    const auto row =
+                        static_cast<std::size_t>(rows.rowOf(node)) + static_cast<std::size_t>(axis);
                     const auto place = static_cast<std::size_t>(factor.places()[row]);
                     for (std::size_t k = 0; k < count; ++k)
                         visit(solved[place][static_cast<Eigen::Index>(k)], first + k, node, axis);
