@@ -128,7 +128,7 @@ ValueRows* VirtualTestPanel::buildTest() {
     m_kind->setObjectName(QStringLiteral("fingerTest"));
     m_kind->setToolTip(tr("What the finger does. What was measured by the others stays"));
     guardFromWheel(*m_kind);
-    m_rows->addField(tr("&Test"), m_kind);
+    m_rows->addField(tr("&Kind"), m_kind);
     m_rows->addField(tr("Ra&dius"), m_radius);
     m_rows->addEither(tr("De&pth"), m_depth, tr("F&orce"), m_force);
     m_rows->addField(tr("D&uration"), m_duration);
