@@ -130,7 +130,7 @@ ValueRows* VirtualTestPanel::buildTest() {
     guardFromWheel(*m_kind);
     m_rows->addField(tr("&Kind"), m_kind);
     m_rows->addField(tr("Ra&dius"), m_radius);
-    m_rows->addEither(tr("De&pth"), m_depth, tr("F&orce"), m_force);
+    m_rows->addEither(tr("De&pth"), m_depth, tr("For&ce"), m_force);
     m_rows->addField(tr("D&uration"), m_duration);
     const auto connectField = [this](NumberField* field, const char* name, void (VirtualTest::*set)(double)) {
         field->setObjectName(QString::fromLatin1(name));
