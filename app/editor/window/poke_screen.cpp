@@ -4,6 +4,7 @@
 #include "app/editor/panels/measure/measurement_file.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/workers/poke_film.h"
+#include "app/editor/workers/poke_scene.h"
 
 #include <algorithm>
 

@@ -1,5 +1,6 @@
 #include "app/editor/workers/poke_film.h"
 
+#include "app/editor/workers/poke_scene.h"
 #include "core/decoding/decoder_program.h"
 #include "core/offscreen/offscreen.h"
 #include "core/support/errors.h"
@@ -24,6 +25,7 @@ constexpr int filmHeight = 720;                           // pixels
 constexpr int leastFilmWidth = 480, mostFilmWidth = 1280; // of one organ
 constexpr int captionHeight = 22, captionPlace = 16;
 constexpr double encodingShare = 0.1; // of the work
+constexpr int encoderNews = 50;       // ms, after which it is asked whether to go on
 
 /// As the view's, but even, as encoders want it.
 int widthOf(const PokeFilm& film) {
@@ -81,40 +83,27 @@ void writePictures(const PokeFilm& film, const fs::path& start, const Progress& 
 }
 
 void encodeFilm(const fs::path& start, const fs::path& file, const Progress& progress) {
+    const fs::path program = decoderProgram().parent_path() / "esm-film"; // installed beside each other
+    if (!fs::exists(program))
+        throw FileError(
+            program, "is not there, without which no film can be made; install it, or save pictures (.png)");
     QProcess encoder;
-    encoder.start(QString::fromStdString((decoderProgram().parent_path() / "esm-film").string()),
+    encoder.start(QString::fromStdString(program.string()),
                   {QString::fromStdString(start.string()), QString::number(pokePicturesPerSecond),
                    QString::fromStdString(file.string())});
-    while (!encoder.waitForFinished(50)) {
-        if (encoder.error() != QProcess::Timedout && encoder.state() == QProcess::NotRunning) break;
+    while (encoder.state() != QProcess::NotRunning && !encoder.waitForFinished(encoderNews)) {
         if (!progress || progress(0)) continue;
         encoder.kill();
         encoder.waitForFinished();
         throw Cancelled();
     }
-    if (encoder.exitStatus() != QProcess::NormalExit || encoder.exitCode() != 0 ||
-        encoder.error() == QProcess::FailedToStart)
-        throw FileError("esm-film", "could not make a film of the pictures: " +
-                                        encoder.readAllStandardError().trimmed().toStdString());
+    if (encoder.error() == QProcess::FailedToStart || encoder.exitStatus() != QProcess::NormalExit ||
+        encoder.exitCode() != 0)
+        throw FileError(program, "made no film of the pictures: " +
+                                     encoder.readAllStandardError().trimmed().toStdString());
 }
 
 } // namespace
-
-RenderScene sceneAt(const RenderScene& shown, const PokeMotion& motion, double time) {
-    const PokePicture& picture = pictureAt(motion, time);
-    RenderScene scene = shown;
-    if (scene.network != motion.project.network) {
-        scene.nodePaint.reset();
-        scene.springPaint.reset();
-        scene.marked.reset();
-        scene.fixedNodes.clear();
-    }
-    scene.network = motion.project.network;
-    scene.nodePositions = inDoubles(picture.positions);
-    scene.instruments.clear();
-    scene.heldInstrument = picture.instrument;
-    return scene;
-}
 
 void writeFilmPictures(const PokeFilm& film, const fs::path& file, const Progress& progress) {
     const fs::path start = file.parent_path() / (file.stem().string() + "-");

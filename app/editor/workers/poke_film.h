@@ -16,10 +16,6 @@ struct PokeFilm {
     std::shared_ptr<const PokeMotion> before; ///< null: nothing is beside it
 };
 
-/// The organ as it is shown, but as it moved at a time, s. What is painted for another moment or another net
-/// is left out.
-RenderScene sceneAt(const RenderScene& shown, const PokeMotion& motion, double time);
-
 /// Every picture as PNG: of "poke.png" poke-0001.png and so on. @throws FileError where one of these is there
 /// already, or cannot be written; those that were written are gone then. @throws Cancelled
 void writeFilmPictures(const PokeFilm& film, const std::filesystem::path& file,

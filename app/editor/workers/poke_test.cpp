@@ -1,11 +1,14 @@
 #include "app/editor/workers/poke_test.h"
 
+#include "app/editor/workers/told_progress.h"
+
+#include <algorithm>
+
 namespace esm {
 
 namespace {
 
 constexpr int recordingNews = 50; // ms
-constexpr double toldStep = 0.01; // of the work, after which the window hears of it again
 
 /// Whether both move alike under the same poke.
 bool movesAlike(const Project& a, const Project& b) {
@@ -28,7 +31,7 @@ PokeTest::PokeTest(Document& document, Preview& preview, QObject* parent)
 void PokeTest::record() {
     cancel();
     m_player.leave();
-    m_failure.clear();
+    m_motions.failure.clear();
     m_preview.record();
     m_recording.start();
     emit changed();
@@ -49,8 +52,8 @@ void PokeTest::stop() {
     std::optional<Poke> poke = m_preview.endRecording();
     if (poke && poke->duration > 0) {
         m_poke = std::move(poke);
-        m_latest.reset();
-        if (!m_isKept) m_former.reset();
+        m_motions.latest.reset();
+        if (!m_motions.isKept) m_motions.former.reset();
         fitPlayer();
         repeat();
     }
@@ -67,7 +70,7 @@ QString PokeTest::obstacle() const {
 
 void PokeTest::repeat() {
     if (!obstacle().isEmpty()) return;
-    m_failure.clear();
+    m_motions.failure.clear();
     m_progress = 0;
     m_isComputing = true;
     m_asked = m_worker.ask(Question{*m_poke, m_document.project()});
@@ -83,17 +86,7 @@ void PokeTest::cancel() {
 
 PokeTest::Motion PokeTest::answerTo(const Worker::Task& task) {
     if (!task.question) return nullptr;
-    const Progress goesOn = task.progress();
-    double said = 0;
-    const Progress progress = [&](double done) {
-        if (!goesOn(done)) return false; // the bar is another question's by now
-        if (done >= said + toldStep) {
-            said = done;
-            m_progress = done;
-            emit told();
-        }
-        return true;
-    };
+    const Progress progress = toldProgress(task.progress(), m_progress, [this] { emit told(); });
     return std::make_shared<const PokeMotion>(
         motionUnder(task.question->poke, task.question->project, progress));
 }
@@ -103,47 +96,46 @@ void PokeTest::hear() {
     const Outcome<Motion> outcome = m_worker.outcome();
     if (outcome.number == m_asked) {
         m_isComputing = false;
-        m_failure = outcome.failure;
-        if (m_failure.empty()) take(outcome.answer);
+        m_motions.failure = outcome.failure;
+        if (m_motions.failure.empty()) take(outcome.answer);
     }
     emit changed();
 }
 
 /// Two curves in one plot are to differ by the organ alone, unless the user chose what to compare with.
 void PokeTest::take(const Motion& motion) {
-    if (!m_isKept && m_latest && !movesAlike(m_latest->project, motion->project)) m_former = m_latest;
-    m_latest = motion;
-    m_isOutdated = !movesAlike(motion->project, m_document.project());
+    if (!m_motions.isKept && m_motions.latest && !movesAlike(m_motions.latest->project, motion->project))
+        m_motions.former = m_motions.latest;
+    m_motions.latest = motion;
+    m_motions.isOutdated = !movesAlike(motion->project, m_document.project());
     fitPlayer();
 }
 
 /// Nothing can be shown on an organ of other nodes.
 void PokeTest::fitPlayer() {
     double duration = 0;
-    if (m_latest && m_latest->project.network == m_document.project().network)
-        for (const Motion& motion : {m_latest, m_former})
+    if (m_motions.latest && m_motions.latest->project.network == m_document.project().network)
+        for (const Motion& motion : {m_motions.latest, m_motions.former})
             if (motion) duration = std::max(duration, motion->pictures.back().time);
     if (duration != m_player.duration()) m_player.setDuration(duration);
 }
 
 void PokeTest::keepLatest() {
-    m_former = m_latest;
-    m_isKept = m_former != nullptr;
+    m_motions.keepLatest();
     emit changed();
 }
 
 void PokeTest::forgetFormer() {
-    m_former.reset();
-    m_isKept = false;
+    m_motions.forgetFormer();
     fitPlayer();
     emit changed();
 }
 
 /// Another net of the same surface is still the organ that was poked.
 void PokeTest::followDocument(const Change& change) {
-    if (m_latest && m_latest->project.mesh != m_document.project().mesh) return forget();
-    if (m_poke && !m_latest && change.mesh) return forget();
-    if (m_latest) m_isOutdated = !movesAlike(m_latest->project, m_document.project());
+    if (m_motions.latest && m_motions.latest->project.mesh != m_document.project().mesh) return forget();
+    if (m_poke && !m_motions.latest && change.mesh) return forget();
+    if (m_motions.latest) m_motions.isOutdated = !movesAlike(m_motions.latest->project, m_document.project());
     if (change.mesh && isRecording()) stop();
     fitPlayer();
     emit changed();
@@ -154,10 +146,7 @@ void PokeTest::forget() {
     m_preview.endRecording();
     m_recording.stop();
     m_poke.reset();
-    m_latest.reset();
-    m_former.reset();
-    m_failure.clear();
-    m_isKept = m_isOutdated = false;
+    m_motions = {};
     fitPlayer();
     emit changed();
 }

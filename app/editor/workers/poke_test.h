@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "app/editor/workers/compared.h"
 #include "app/editor/workers/latest_worker.h"
 #include "app/editor/workers/poke_motion.h"
 #include "app/editor/workers/poke_player.h"
@@ -35,14 +36,14 @@ public:
     bool isComputing() const { return m_isComputing; }
     double progress() const { return m_progress; } ///< 0 to 1, of what is being computed
     /// Why the last try has no motion, as the core says it; empty where it has one.
-    const std::string& failure() const { return m_failure; }
+    const std::string& failure() const { return m_motions.failure; }
 
     /// How the organ moved last; null before.
-    const Motion& latest() const { return m_latest; }
+    const Motion& latest() const { return m_motions.latest; }
     /// What to compare it with: how it moved under the same poke before it was changed, or what was kept.
-    const Motion& former() const { return m_former; }
+    const Motion& former() const { return m_motions.former; }
     /// Whether the organ is another than that which was poked last.
-    bool isOutdated() const { return m_isOutdated; }
+    bool isOutdated() const { return m_motions.isOutdated; }
     /// From now on the last motion is compared with, until forgetFormer().
     void keepLatest();
     void forgetFormer();
@@ -74,11 +75,9 @@ private:
     Document& m_document;
     Preview& m_preview;
     std::optional<Poke> m_poke;
-    Motion m_latest, m_former;
-    bool m_isKept = false; ///< what is compared with, by the user
-    bool m_isOutdated = false, m_isComputing = false;
+    Compared<PokeMotion> m_motions;
+    bool m_isComputing = false;
     int m_asked = 0; ///< the number of the question that is being answered
-    std::string m_failure;
     std::atomic<double> m_progress = 0;
     QTimer m_recording; ///< runs while the hand is recorded
     PokePlayer m_player;

@@ -1,5 +1,6 @@
 #include "app/editor/workers/virtual_test.h"
 
+#include "app/editor/workers/told_progress.h"
 #include "core/dynamics/contact/touched_surface.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@ namespace esm {
 
 namespace {
 
-constexpr double toldShare = 0.01;  ///< of the work, after which a window hears of it again
 constexpr double samePlace = 1e-9;  ///< m
 constexpr double roundTo = 5e-5;    ///< m, of a finger that is made to fit
 constexpr double firstForce = 0.05; ///< N, before anything was pressed
@@ -180,17 +180,7 @@ VirtualTest::Press VirtualTest::answerTo(const Worker::Task& task) {
     if (!task.question) return nullptr;
     const auto& [kind, tissue, mesh, settings] = *task.question;
     const TouchedSurface surface = touchedSurface(*mesh, *tissue->network);
-    const Progress goesOn = task.progress();
-    double said = 0;
-    const Progress progress = [&](double done) {
-        if (!goesOn(done)) return false; // the bar is another question's by now
-        if (done >= said + toldShare) {
-            said = done;
-            m_progress = done;
-            emit told();
-        }
-        return true;
-    };
+    const Progress progress = toldProgress(task.progress(), m_progress, [this] { emit told(); });
     ProbeResult result = probe({*tissue, surface}, settings, progress);
     const std::optional<double> time = tissueTimeAt(*tissue, result.place);
     return std::make_shared<const MeasuredPress>(
@@ -225,15 +215,12 @@ void VirtualTest::take(const Press& press) {
 }
 
 void VirtualTest::keepLatest() {
-    Measured& measured = of(m_kind);
-    measured.former = measured.latest;
-    measured.isKept = measured.former != nullptr;
+    of(m_kind).keepLatest();
     emit changed();
 }
 
 void VirtualTest::forgetFormer() {
-    of(m_kind).former.reset();
-    of(m_kind).isKept = false;
+    of(m_kind).forgetFormer();
     emit changed();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/document/document.h"
+#include "app/editor/workers/compared.h"
 #include "app/editor/workers/latest_worker.h"
 #include "app/editor/workers/preview.h"
 #include "core/probing/probe.h"
@@ -92,15 +93,10 @@ private:
         std::shared_ptr<const TriangleMesh> mesh;
         ProbeSettings settings;
     };
-    /// What was measured by one kind of test.
-    struct Measured {
-        Press latest, former;
-        bool isKept = false; ///< what is compared with, by the user
-        bool isOutdated = false;
-        std::string failure{};
-    };
     /// No question takes the place of one that is no longer of interest.
     using Worker = LatestWorker<std::optional<Question>, Press>;
+
+    using Measured = Compared<MeasuredPress>;
 
     Measured& of(FingerTest kind) { return m_measured.at(static_cast<std::size_t>(kind)); }
     const Measured& shown() const { return m_measured.at(static_cast<std::size_t>(m_kind)); }

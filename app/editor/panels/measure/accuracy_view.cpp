@@ -1,12 +1,9 @@
 #include "app/editor/panels/measure/accuracy_view.h"
 
-#include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/panels/measure/measurement_file.h"
 #include "app/editor/panels/measure/stepping_text.h"
-#include "core/exchange/charts/chart_file.h"
 #include "core/exchange/charts/measured_runs_csv.h"
 #include "core/exchange/charts/tradeoff_chart.h"
-#include "core/support/atomic_file.h"
 #include "widgets/inputs/enabling.h"
 
 #include <QHBoxLayout>
@@ -150,25 +147,17 @@ void AccuracyView::use(std::optional<std::size_t> run) {
     if (isUsable(run)) m_accuracy.use(*run, window());
 }
 
-void AccuracyView::write(const NewFile& asked, const QString& failure,
-                         const std::function<void(const std::filesystem::path&)>& writing) {
-    const QString written = writeMeasurement(window(), asked, failure, writing);
+void AccuracyView::tell(const QString& written) {
     if (!written.isEmpty()) emit message(written);
 }
 
 void AccuracyView::exportTable() {
-    write(fileForOthers(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
-          tr("The table was not written"), [this](const std::filesystem::path& file) {
-              writeFileAtomically(file, measuredRunsCsv(*m_accuracy.tradeoff()));
-          });
+    tell(saveTable(window(), m_document, [this] { return measuredRunsCsv(*m_accuracy.tradeoff()); }));
 }
 
 void AccuracyView::exportChart() {
-    write(fileForOthers(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
-                        {QStringLiteral(".png"), QStringLiteral(".svg")}),
-          tr("The chart was not written"), [this](const std::filesystem::path& file) {
-              writeChart(tradeoffChart(*m_accuracy.tradeoff(), m_accuracy.wishes()), file);
-          });
+    tell(saveChart(window(), m_document,
+                   [this] { return tradeoffChart(*m_accuracy.tradeoff(), m_accuracy.wishes()); }));
 }
 
 } // namespace esm

@@ -11,7 +11,6 @@
 #include <QCheckBox>
 #include <QPushButton>
 
-#include <functional>
 
 namespace esm {
 
@@ -38,9 +37,7 @@ private:
     void mark(std::optional<std::size_t> run);
     bool isUsable(std::optional<std::size_t> run) const;
     void use(std::optional<std::size_t> run);
-    /// Asks where, and says what became of it.
-    void write(const NewFile& asked, const QString& failure,
-               const std::function<void(const std::filesystem::path&)>& writing);
+    void tell(const QString& written);
     void arrange();
     void exportTable();
     void exportChart();

@@ -3,6 +3,8 @@
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
 
+#include <QVBoxLayout>
+
 namespace esm {
 
 namespace {
@@ -15,8 +17,11 @@ QString shownFigure(std::optional<double> value) {
 
 } // namespace
 
-FigureTable::FigureTable(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout(this)) {
-    m_grid->setContentsMargins(0, 0, 0, 0);
+FigureTable::FigureTable(QWidget* parent) : QWidget(parent), m_grid(new QGridLayout) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(m_grid);
+    column->addStretch();
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(6);
     m_grid->setColumnStretch(0, 1);

@@ -7,17 +7,12 @@
 #include "widgets/inputs/section.h"
 
 #include <QHBoxLayout>
-#include <QStyle>
 
 #include <algorithm>
 
 namespace esm {
 
 namespace {
-
-constexpr int pokePatience = 300; // ms; most motions of small organs are computed by then
-constexpr int pokeMessageLines = 4;
-constexpr int wholePokeBar = 100;
 
 QString secondsText(double seconds) {
     return decimalText(seconds, 1) + QStringLiteral(" s");
@@ -41,12 +36,12 @@ std::optional<double> largest(const PokeTest::Motion& motion, double PokePicture
 PokePanel::PokePanel(PokeTest& test, QWidget* parent)
     : QWidget(parent), m_test(test), m_record(new QPushButton(tr("Record"), this)),
       m_repeat(new QPushButton(tr("Repeat"), this)), m_cancel(new QPushButton(tr("Cancel"), this)),
-      m_news(new QStackedWidget(this)), m_message(new QLabel(this)), m_progress(new QProgressBar(this)),
+      m_news(new WorkNews(QStringLiteral("poke"), tr("How much of the motion is computed"), this)),
       m_figures(new FigureTable(this)) {
     auto* poke = new Section(tr("Poke"), this);
     poke->body()->addWidget(buildRecording());
     poke->body()->addWidget(buildButtons());
-    poke->body()->addWidget(buildNews());
+    poke->body()->addWidget(m_news);
     auto* met = new Section(tr("What it met"), this);
     m_figures->addRow(tr("Largest force, N"), QStringLiteral("pokeForce"),
                       tr("Of the tissue on what pulls or pushes it, a mean over a moment"));
@@ -59,9 +54,6 @@ PokePanel::PokePanel(PokeTest& test, QWidget* parent)
     column->addWidget(poke);
     column->addWidget(met);
 
-    m_patience.setSingleShot(true);
-    m_patience.setInterval(pokePatience);
-    connect(&m_patience, &QTimer::timeout, this, &PokePanel::showNews);
     connect(&m_test, &PokeTest::changed, this, &PokePanel::refresh);
     refresh();
 }
@@ -108,26 +100,6 @@ QWidget* PokePanel::buildButtons() {
     return whole;
 }
 
-/// As high as a long sentence, so that what stands below stays where it is.
-QWidget* PokePanel::buildNews() {
-    m_message->setObjectName(QStringLiteral("pokeMessage"));
-    m_message->setWordWrap(true);
-    m_message->setAlignment(Qt::AlignTop);
-    m_message->ensurePolished();
-    m_message->setMinimumHeight(pokeMessageLines * m_message->fontMetrics().lineSpacing());
-    m_progress->setObjectName(QStringLiteral("pokeProgress"));
-    m_progress->setAccessibleName(tr("How much of the motion is computed"));
-    m_progress->setMaximum(wholePokeBar);
-    auto* barOnTop = new QWidget(m_news);
-    auto* column = new QVBoxLayout(barOnTop);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_progress);
-    column->addStretch();
-    m_news->addWidget(m_message);
-    m_news->addWidget(barOnTop);
-    return m_news;
-}
-
 void PokePanel::refresh() {
     const bool isRecording = m_test.isRecording();
     m_record->setText(isRecording ? tr("Stop") : tr("Record"));
@@ -143,7 +115,6 @@ void PokePanel::refresh() {
     enable(m_repeat, obstacle.isEmpty(), tr("Do the same to the organ as it is now"), obstacle);
     enable(m_cancel, m_test.isComputing(), tr("Stop computing; the motion before stays"),
            tr("Nothing is being computed"));
-    if (m_test.isComputing() && m_test.progress() <= 0) m_patience.start();
     showFigures();
     showNews();
 }
@@ -160,19 +131,12 @@ void PokePanel::showFigures() {
 }
 
 void PokePanel::showNews() {
-    const bool isLong = m_test.isComputing() && !m_patience.isActive();
-    m_progress->setValue(static_cast<int>(m_test.progress() * wholePokeBar));
-    m_news->setCurrentIndex(isLong ? 1 : 0);
-    const QString failure = m_test.isComputing() ? QString() : sentence(m_test.failure());
-    const QString said = failure.isEmpty() ? remark() : failure;
-    if (said == m_message->text()) return;
-    const bool warns =
-        !failure.isEmpty() || m_test.isOutdated() || (m_test.latest() && !m_test.latest()->failure.empty());
-    m_message->setText(said);
-    m_message->setProperty("warning", warns);
-    m_message->setProperty("quiet", !warns);
-    m_message->style()->unpolish(m_message);
-    m_message->style()->polish(m_message);
+    const bool isComputing = m_test.isComputing();
+    m_news->setProgress(isComputing ? std::optional(m_test.progress()) : std::nullopt);
+    const QString failure = isComputing ? QString() : sentence(m_test.failure());
+    const bool endsEarly = m_test.latest() && !m_test.latest()->failure.empty();
+    m_news->say(failure.isEmpty() ? remark() : failure,
+                !failure.isEmpty() || m_test.isOutdated() || endsEarly);
 }
 
 /// What else should be known, the most needed first.

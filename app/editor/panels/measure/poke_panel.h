@@ -1,12 +1,10 @@
 #pragma once
 
 #include "app/editor/panels/measure/figure_table.h"
+#include "app/editor/panels/measure/work_news.h"
 #include "app/editor/workers/poke_test.h"
 
-#include <QProgressBar>
 #include <QPushButton>
-#include <QStackedWidget>
-#include <QTimer>
 
 namespace esm {
 
@@ -20,7 +18,6 @@ public:
 private:
     QWidget* buildRecording();
     QWidget* buildButtons();
-    QWidget* buildNews();
     void refresh();
     void showFigures();
     void showNews();
@@ -29,10 +26,7 @@ private:
     PokeTest& m_test;
     QPushButton *m_record, *m_repeat, *m_cancel;
     QLabel* m_length;
-    QStackedWidget* m_news; ///< what is said, or how far the work is
-    QLabel* m_message;
-    QProgressBar* m_progress;
-    QTimer m_patience; ///< until work is long enough for a bar
+    WorkNews* m_news;
     FigureTable* m_figures;
     PokeTest::Motion m_shown, m_shownBefore; ///< in the figures
 };

@@ -2,21 +2,15 @@
 
 #include "app/editor/panels/measure/measurement_file.h"
 #include "app/editor/panels/measure/poke_files.h"
-#include "core/exchange/charts/chart_file.h"
-#include "core/support/file_io.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include <cmath>
-
 namespace esm {
 
 namespace {
-
-constexpr int roomForPokeLine = 720; // pixels, of title and buttons
 
 ChartCurve forceOverTime(const QString& name, const PokeMotion& motion) {
     ChartCurve curve{name, {}};
@@ -34,12 +28,11 @@ std::vector<NamedMotion> namedMotions(const PokeTest& test) {
 } // namespace
 
 PokeView::PokeView(Document& document, PokeTest& test, QWidget* parent)
-    : QWidget(parent), m_document(document), m_test(test), m_header(new QBoxLayout(QBoxLayout::LeftToRight)),
-      m_title(new ElidedLabel(this)), m_keep(new QPushButton(tr("Keep to compare"), this)),
-      m_clear(new QPushButton(tr("Clear before"), this)), m_table(new QPushButton(tr("Save table…"), this)),
-      m_picture(new QPushButton(tr("Save chart…"), this)), m_film(new QPushButton(tr("Save film…"), this)),
-      m_watch(new QPushButton(tr("Watch"), this)), m_leave(new QPushButton(tr("Living organ"), this)),
-      m_moment(new ValueSlider(this)), m_time(new QLabel(this)), m_chart(new CurveChart(this)) {
+    : QWidget(parent), m_document(document), m_test(test),
+      m_header(new ComparisonHeader(QStringLiteral("Poke"), this)),
+      m_film(new QPushButton(tr("Save film…"), this)), m_watch(new QPushButton(tr("Watch"), this)),
+      m_leave(new QPushButton(tr("Living organ"), this)), m_moment(new ValueSlider(this)),
+      m_time(new QLabel(this)), m_chart(new CurveChart(this)) {
     setObjectName(QStringLiteral("pokeView"));
     setAttribute(Qt::WA_StyledBackground);
     m_chart->setObjectName(QStringLiteral("pokeChart"));
@@ -48,40 +41,35 @@ PokeView::PokeView(Document& document, PokeTest& test, QWidget* parent)
         tr("The force on what pokes, over time; the arrow keys go from one moment to the next"));
     m_chart->setEmptyText(tr("No poke yet. Record, then pull or push the organ: here its force is drawn over "
                              "time, and beside it what it is after you change the tissue."));
+    m_header->setTitle(tr("Force over time"));
+    m_film->setObjectName(QStringLiteral("saveFilm"));
+    m_header->addButton(m_film);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(12, 8, 12, 12);
     column->setSpacing(8);
-    buildHeader();
-    column->addLayout(m_header);
+    column->addWidget(m_header);
     column->addLayout(buildPlayer());
     column->addWidget(m_chart, 1);
+    connectHeader();
     connect(&m_test, &PokeTest::changed, this, &PokeView::refresh);
     connect(&m_test.player(), &PokePlayer::changed, this, &PokeView::showMoment);
     refresh();
 }
 
-void PokeView::buildHeader() {
-    m_header->setSpacing(8);
-    m_title->setProperty("quiet", true);
-    m_title->setText(tr("Force over time"));
-    m_header->addWidget(m_title, 1);
-    auto* controls = new QHBoxLayout;
-    controls->addStretch();
-    m_header->addLayout(controls);
-    m_keep->setObjectName(QStringLiteral("keepPoke"));
-    m_clear->setObjectName(QStringLiteral("clearPoke"));
-    m_table->setObjectName(QStringLiteral("savePokeTable"));
-    m_picture->setObjectName(QStringLiteral("savePokeChart"));
-    m_film->setObjectName(QStringLiteral("saveFilm"));
-    for (QPushButton* button : {m_keep, m_clear, m_table, m_picture, m_film}) {
-        button->setFocusPolicy(Qt::TabFocus);
-        controls->addWidget(button);
-    }
-    connect(m_keep, &QPushButton::clicked, &m_test, &PokeTest::keepLatest);
-    connect(m_clear, &QPushButton::clicked, &m_test, &PokeTest::forgetFormer);
-    connect(m_table, &QPushButton::clicked, this, &PokeView::exportTable);
-    connect(m_picture, &QPushButton::clicked, this, &PokeView::exportChart);
+void PokeView::connectHeader() {
+    connect(m_header, &ComparisonHeader::keepAsked, &m_test, &PokeTest::keepLatest);
+    connect(m_header, &ComparisonHeader::clearAsked, &m_test, &PokeTest::forgetFormer);
+    connect(m_header, &ComparisonHeader::tableAsked, this, [this] {
+        tell(saveTable(window(), m_document, [this] { return pokeCsv(namedMotions(m_test)); }));
+    });
+    connect(m_header, &ComparisonHeader::chartAsked, this, [this] {
+        tell(saveChart(window(), m_document, [this] { return pokeChart(namedMotions(m_test)); }));
+    });
     connect(m_film, &QPushButton::clicked, this, &PokeView::filmAsked);
+}
+
+void PokeView::tell(const QString& written) {
+    if (!written.isEmpty()) emit message(written);
 }
 
 QLayout* PokeView::buildPlayer() {
@@ -117,20 +105,15 @@ QLayout* PokeView::buildPlayer() {
     return row;
 }
 
-void PokeView::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    m_header->setDirection(width() < roomForPokeLine ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-}
-
 void PokeView::refresh() {
     const PokeTest::Motion &now = m_test.latest(), &before = m_test.former();
     const QString none = tr("Nothing is recorded yet");
-    enable(m_keep, now && now != before, tr("Compare every later motion with this one, also of another poke"),
-           now ? tr("This motion is the one that the next is compared with") : none);
-    enable(m_clear, before != nullptr, tr("Show the last motion alone"),
-           tr("There is no earlier motion beside this one"));
-    enable(m_table, now != nullptr, tr("Write times, forces and displacements as a table (.csv)"), none);
-    enable(m_picture, now != nullptr, tr("Write the chart as a picture (.png or .svg)"), none);
+    m_header->setState({now != nullptr, now != before, before != nullptr},
+                       {tr("Compare every later motion with this one, also of another poke"),
+                        tr("Show the last motion alone"),
+                        tr("Write times, forces and displacements as a table (.csv)"),
+                        tr("This motion is the one that the next is compared with"),
+                        tr("There is no earlier motion beside this one"), none});
     enable(m_film, now != nullptr,
            tr("Write the motion as a film (.avi), or its pictures (.png), seen as now"), none);
     if (now != m_shown || before != m_shownBefore) showMotions();
@@ -169,26 +152,6 @@ void PokeView::showMoment() {
                 : QString());
     m_moment->setSpoken(m_time->text());
     m_chart->setMoment(player.isShown() ? std::optional(player.time()) : std::nullopt);
-}
-
-void PokeView::exportTable() {
-    const QString written = writeMeasurement(
-        window(), fileForOthers(m_document, tr("Save table"), tr("Tables (*.csv)"), {QStringLiteral(".csv")}),
-        tr("The table was not written"), [this](const std::filesystem::path& file) {
-            writeFileAtomically(file, pokeCsv(namedMotions(m_test)));
-        });
-    if (!written.isEmpty()) emit message(written);
-}
-
-void PokeView::exportChart() {
-    const QString written =
-        writeMeasurement(window(),
-                         fileForOthers(m_document, tr("Save chart"), tr("Pictures (*.png);;Drawings (*.svg)"),
-                                       {QStringLiteral(".png"), QStringLiteral(".svg")}),
-                         tr("The chart was not written"), [this](const std::filesystem::path& file) {
-                             writeChart(pokeChart(namedMotions(m_test)), file);
-                         });
-    if (!written.isEmpty()) emit message(written);
 }
 
 } // namespace esm

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "app/editor/panels/measure/comparison_header.h"
 #include "app/editor/workers/poke_test.h"
-#include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/value_slider.h"
 #include "widgets/plot/curve_chart.h"
 
-#include <QBoxLayout>
+#include <QLabel>
 #include <QPushButton>
 
 namespace esm {
@@ -25,24 +25,19 @@ signals:
     /// The motion is to be written as a film.
     void filmAsked();
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
-    void buildHeader();
+    void connectHeader();
+    void tell(const QString& written);
     QLayout* buildPlayer();
     void refresh();
     void showMotions();
     void showMoment();
-    void exportTable();
-    void exportChart();
 
     Document& m_document;
     PokeTest& m_test;
     PokeTest::Motion m_shown, m_shownBefore;
-    QBoxLayout* m_header;
-    ElidedLabel* m_title;
-    QPushButton *m_keep, *m_clear, *m_table, *m_picture, *m_film, *m_watch, *m_leave;
+    ComparisonHeader* m_header;
+    QPushButton *m_film, *m_watch, *m_leave;
     ValueSlider* m_moment; ///< in pictures
     QLabel* m_time;
     CurveChart* m_chart;

@@ -1,11 +1,8 @@
 #pragma once
 
+#include "app/editor/panels/measure/comparison_header.h"
 #include "app/editor/workers/virtual_test.h"
-#include "widgets/inputs/elided_label.h"
 #include "widgets/plot/curve_chart.h"
-
-#include <QBoxLayout>
-#include <QPushButton>
 
 namespace esm {
 
@@ -22,23 +19,16 @@ public:
 signals:
     void message(const QString& text);
 
-protected:
-    void resizeEvent(QResizeEvent* event) override;
-
 private:
-    void buildHeader();
+    void tell(const QString& written);
     void showKind();
     void refresh();
-    void exportTable();
-    void exportChart();
 
     Document& m_document;
     VirtualTest& m_test;
     FingerTest m_shownKind = FingerTest::Press;
     VirtualTest::Press m_shown, m_shownBefore;
-    QBoxLayout* m_header;
-    ElidedLabel* m_title;
-    QPushButton *m_keep, *m_clear, *m_exportTable, *m_exportChart;
+    ComparisonHeader* m_header;
     CurveChart* m_chart;
 };
 

@@ -10,17 +10,13 @@
 #include "widgets/inputs/quantity_formats.h"
 #include "widgets/inputs/refused_numbers.h"
 
-#include <QStyle>
 #include <QVariant>
 
 namespace esm {
 
 namespace {
 
-constexpr int unsaidTime = 300; // ms; most tests of small organs are over by then
 constexpr int linesOfPurpose = 2;
-constexpr int linesOfMessage = 4;  // that the core's sentences need
-constexpr int wholeProgress = 100; // of the bar
 
 NumberFormat fingerFormat() {
     NumberFormat format = lengthFormat(smallestLength);
@@ -75,12 +71,12 @@ VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidge
       m_cancel(new QPushButton(tr("Cancel"), this)), m_kind(new QComboBox(this)),
       m_radius(new NumberField(fingerFormat(), this)), m_depth(new NumberField(fingerFormat(), this)),
       m_force(new NumberField(forceFormat(), this)), m_duration(new NumberField(durationFormat(), this)),
-      m_news(new QStackedWidget(this)), m_message(new QLabel(this)), m_progress(new QProgressBar(this)),
+      m_news(new WorkNews(QStringLiteral("press"), tr("How much of the test is computed"), this)),
       m_figures(new QStackedWidget(this)), m_published(new ElidedLabel(this)) {
     auto* finger = new Section(tr("Finger"), this);
     finger->body()->addWidget(buildFinger());
     finger->body()->addWidget(buildButtons());
-    finger->body()->addWidget(buildNews());
+    finger->body()->addWidget(m_news);
     auto* met = new Section(tr("What it met"), this);
     for (std::size_t kind = 0; kind < fingerTests; ++kind)
         m_figures->addWidget(new PressFigures(fingerFigures(static_cast<FingerTest>(kind)), m_figures));
@@ -94,9 +90,6 @@ VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidge
     column->addWidget(finger);
     column->addWidget(met);
 
-    m_patience.setSingleShot(true);
-    m_patience.setInterval(unsaidTime);
-    connect(&m_patience, &QTimer::timeout, this, &VirtualTestPanel::showNews);
     connect(&m_test, &VirtualTest::changed, this, &VirtualTestPanel::refresh);
     refresh();
 }
@@ -169,34 +162,12 @@ QWidget* VirtualTestPanel::buildButtons() {
     return whole;
 }
 
-/// As high as a long sentence, so that what stands below stays where it is.
-QWidget* VirtualTestPanel::buildNews() {
-    m_message->setObjectName(QStringLiteral("pressMessage"));
-    m_message->setWordWrap(true);
-    m_message->setAlignment(Qt::AlignTop);
-    m_message->ensurePolished();
-    m_message->setMinimumHeight(linesOfMessage * m_message->fontMetrics().lineSpacing());
-    m_progress->setObjectName(QStringLiteral("pressProgress"));
-    m_progress->setAccessibleName(tr("How much of the test is computed"));
-    m_progress->setMaximum(wholeProgress);
-    auto* barOnTop = new QWidget(m_news);
-    auto* column = new QVBoxLayout(barOnTop);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addWidget(m_progress);
-    column->addStretch();
-    m_news->addWidget(m_message);
-    m_news->addWidget(barOnTop);
-    return m_news;
-}
-
 void VirtualTestPanel::setPlaceAction(QAction* action) {
     follow(m_choose, action);
 }
 
 void VirtualTestPanel::press() {
-    if (!takesAllNumbers(*this) || !m_test.obstacle().isEmpty()) return;
-    m_patience.start();
-    m_test.press();
+    if (takesAllNumbers(*this)) m_test.press();
 }
 
 void VirtualTestPanel::refresh() {
@@ -248,17 +219,10 @@ void VirtualTestPanel::showPublished() {
 }
 
 void VirtualTestPanel::showNews() {
-    const bool isLong = m_test.isPressing() && !m_patience.isActive();
-    m_progress->setValue(static_cast<int>(m_test.progress() * wholeProgress));
-    m_news->setCurrentIndex(isLong ? 1 : 0);
-    const QString failure = m_test.isPressing() ? QString() : sentence(m_test.failure());
-    const QString said = failure.isEmpty() ? remark() : failure;
-    if (said == m_message->text()) return;
-    m_message->setText(said);
-    m_message->setProperty("warning", !failure.isEmpty() || m_test.isOutdated());
-    m_message->setProperty("quiet", failure.isEmpty() && !m_test.isOutdated());
-    m_message->style()->unpolish(m_message);
-    m_message->style()->polish(m_message);
+    const bool isPressing = m_test.isPressing();
+    m_news->setProgress(isPressing ? std::optional(m_test.progress()) : std::nullopt);
+    const QString failure = isPressing ? QString() : sentence(m_test.failure());
+    m_news->say(failure.isEmpty() ? remark() : failure, !failure.isEmpty() || m_test.isOutdated());
 }
 
 /// What else should be known of the numbers, the most needed first.

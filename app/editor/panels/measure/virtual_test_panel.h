@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor/panels/measure/press_figures.h"
+#include "app/editor/panels/measure/work_news.h"
 #include "app/editor/workers/virtual_test.h"
 #include "widgets/inputs/elided_label.h"
 #include "widgets/inputs/number_field.h"
@@ -8,10 +9,8 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
-#include <QTimer>
 
 namespace esm {
 
@@ -30,7 +29,6 @@ private:
     QWidget* buildFinger();
     ValueRows* buildTest();
     QWidget* buildButtons();
-    QWidget* buildNews();
     void press();
     void refresh();
     void showTest();
@@ -48,10 +46,7 @@ private:
     QComboBox* m_kind;
     ValueRows* m_rows;
     NumberField *m_radius, *m_depth, *m_force, *m_duration;
-    QStackedWidget* m_news; ///< what is said, or how far the work is
-    QLabel* m_message;
-    QProgressBar* m_progress;
-    QTimer m_patience;         ///< until work is long enough for a bar
+    WorkNews* m_news;
     QStackedWidget* m_figures; ///< of each kind of test
     ElidedLabel* m_published;  ///< what is published of the tissue there
 };
