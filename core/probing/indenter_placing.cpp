@@ -64,6 +64,17 @@ double thicknessAt(const SurfaceQuery& query, const Vector3d& place, const Vecto
     return hit ? hit->distance + skipped : std::numeric_limits<double>::infinity();
 }
 
+/// A wall can be dented deeper than it is thick: beneath it lies the organ's cavity, as far as to the wall on
+/// the other side.
+double thicknessAt(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place,
+                   const Vector3d& inwards) {
+    const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
+    const double tissue = thicknessAt(query, place, inwards, size);
+    const std::optional<Lattice>& lattice = organ.model.network->lattice;
+    if (!lattice || !isWall(lattice->filling) || !std::isfinite(tissue)) return tissue;
+    return tissue + thicknessAt(query, place + tissue * inwards, inwards, size);
+}
+
 // What stands out beside the place may be touched first. So the sphere is drawn back until it is free, and
 // let in again until it just touches: depths count from there, as in Hertz' law, in which a depth that begins
 // a tenth too early takes a seventh off the modulus.
@@ -106,7 +117,7 @@ PlacedIndenter placedIndenter(const ProbedOrgan& organ, const std::vector<char>&
     const SurfaceQuery query(nodes, organ.surface.triangles);
     const SurfaceSpot spot = spotAt(organ, query, settings.place);
     const Vector3d inwards = inwardsAt(organ, spot, settings);
-    const double thickness = thicknessAt(query, spot.point, inwards, boundingBox(nodes).diagonal().norm());
+    const double thickness = thicknessAt(organ, query, spot.point, inwards);
     const Vector3d centre = touchingCentre(query, spot.point, inwards, settings.radius);
     requireGivingWay(organ, query, isImmovable, centre);
     return {{settings.radius, centre, inwards}, spot.point, thickness};

@@ -62,6 +62,28 @@ TEST(Probe, FindsLatticesOfAnySpacingEquallyFirm) {
         EXPECT_NEAR(forceOn(filledBlock(LatticeKind::BodyCentred, spacing)), fine, 0.05 * fine) << spacing;
 }
 
+/// Of prisms, fixed below: a dent can be deeper than the wall is thick.
+TEST(Probe, DentsAHollowBallDeeperThanItsWallIsThick) {
+    constexpr double radius = 0.03, wall = 0.002; // m
+    const TriangleMesh mesh = test::ball(radius, Vector3d::Zero(), 12);
+    const auto network = std::make_shared<const SpringNetwork>(
+        networkOf(mesh, {Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, wall, 2}}));
+    TissueModel model = tissue::model(*network, {springConstant, 0.1, 1e-3});
+    model.ownValues = sharedValues(model, wall);
+    for (std::uint32_t node = 0; node < network->restPositions.size(); ++node)
+        if (network->restPositions[node].z() < 0) model.fixedNodes.push_back(node);
+    const TouchedSurface surface = touchedSurface(mesh, *network);
+    ProbeSettings settings;
+    settings.place = Vector3d(0, 0, radius);
+    settings.radius = 0.015;
+    settings.depth = 2 * wall;
+    settings.steps = 2;
+    const ProbeResult dented = probe({model, surface}, settings);
+    EXPECT_GT(dented.curve.back().force, dented.curve[1].force);
+    settings.depth = 2 * radius; // beyond the wall on the other side
+    EXPECT_THROW(probe({model, surface}, settings), InvalidModel);
+}
+
 TEST(Probe, TellsTheModulusThatHertzGives) {
     const double force = hertzForce(4000, 0.25, 0.01, 0.002);
     EXPECT_NEAR(force, 4.0 / 3 * 4000 / (1 - 0.0625) * 0.1 * std::pow(0.002, 1.5), 1e-12);
