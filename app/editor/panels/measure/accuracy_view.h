@@ -11,7 +11,6 @@
 #include <QCheckBox>
 #include <QPushButton>
 
-
 namespace esm {
 
 /// Below the organ: every run that was measured, as a point of a chart and as a row of a table. What is
