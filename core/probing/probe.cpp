@@ -81,8 +81,8 @@ SpringSystem heldSystem(const TissueModel& model) {
 void requireWithin(const PlacedIndenter& placed, const ProbeSettings& settings) {
     if (settings.depth >= placed.thickness)
         throw InvalidModel("the organ is " + roundedText(1000 * placed.thickness, 3) +
-                           " mm thick there: press less deep than " + roundedText(1000 * settings.depth, 3) +
-                           " mm");
+                           " mm thick there, so that " + roundedText(1000 * settings.depth, 3) +
+                           " mm would press one side through the other: press less deep");
 }
 
 double slopeOf(const PressPoint& from, const PressPoint& to) {

@@ -40,8 +40,17 @@ void PokeScreen::connectActions(const Actions& actions) {
     connect(actions.tools, &QActionGroup::triggered, this, [this, look](const QAction* tool) {
         if (tool != look) m_test.player().leave();
     });
-    for (QAction* action : {actions.play, actions.playScene, actions.reset})
+    connect(actions.play, &QAction::triggered, this, [this] {
+        if (m_playedBefore) m_playedBefore = false; // whether it plays is the user's choice now
+        m_test.player().leave();
+    });
+    for (QAction* action : {actions.playScene, actions.reset})
         connect(action, &QAction::triggered, &m_test.player(), &PokePlayer::leave);
+    connect(&m_test, &PokeTest::recordingBegan, this,
+            [pull = actions.tool(QStringLiteral("pull")),
+             instrument = actions.tool(QStringLiteral("instrument"))] {
+                if (!pull->isChecked() && !instrument->isChecked()) pull->trigger();
+            });
 }
 
 void PokeScreen::show() {

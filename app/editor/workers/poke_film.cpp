@@ -3,6 +3,7 @@
 #include "app/editor/workers/poke_scene.h"
 #include "core/decoding/decoder_program.h"
 #include "core/offscreen/offscreen.h"
+#include "core/support/atomic_file.h"
 #include "core/support/errors.h"
 #include "core/support/file_io.h"
 #include "widgets/inputs/number_text.h"
@@ -121,6 +122,7 @@ void writeFilmPictures(const PokeFilm& film, const fs::path& file, const Progres
 }
 
 void writeFilm(const PokeFilm& film, const fs::path& file, const Progress& progress) {
+    AtomicFile target(file); // before the long work: the user learns at once that it cannot be written
     const QTemporaryDir folder;
     if (!folder.isValid())
         throw FileError(file, "needs room for its pictures in the folder of temporary files");
@@ -129,7 +131,9 @@ void writeFilm(const PokeFilm& film, const fs::path& file, const Progress& progr
     ProgressParts parts(progress);
     writePictures(film, pictures, parts.next(1 - encodingShare));
     encodeFilm(pictures, encoded, parts.rest());
-    writeFileAtomically(file, readFile(encoded));
+    const Bytes bytes = readFile(encoded);
+    target.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    target.commit();
 }
 
 } // namespace esm

@@ -10,6 +10,12 @@ namespace {
 
 constexpr int recordingNews = 50; // ms
 
+/// Whether the hand does anything to the organ.
+bool touches(const Poke& poke) {
+    return std::any_of(poke.moments.begin(), poke.moments.end(),
+                       [](const HandMoment& moment) { return moment.loads.pull || moment.loads.instrument; });
+}
+
 /// Whether both move alike under the same poke.
 bool movesAlike(const Project& a, const Project& b) {
     const Change change = difference(a, b);
@@ -34,6 +40,7 @@ void PokeTest::record() {
     m_motions.failure.clear();
     m_preview.record();
     m_recording.start();
+    emit recordingBegan();
     emit changed();
 }
 
@@ -49,15 +56,26 @@ void PokeTest::followRecording() {
 void PokeTest::stop() {
     if (!isRecording()) return;
     m_recording.stop();
-    std::optional<Poke> poke = m_preview.endRecording();
-    if (poke && poke->duration > 0) {
-        m_poke = std::move(poke);
-        m_motions.latest.reset();
-        if (!m_motions.isKept) m_motions.former.reset();
-        fitPlayer();
-        repeat();
-    }
+    const bool hasEnded = !m_preview.isRecording();
+    const std::optional<Poke> poke = m_preview.endRecording();
+    if (hasEnded)
+        m_motions.failure = tr("the recording ended because the organ was reset, moved in a scene or got "
+                               "other nodes: record again")
+                                .toStdString();
+    else if (!poke || !touches(*poke))
+        m_motions.failure =
+            tr("your hand touched nothing: pull or push the organ while it is recorded").toStdString();
+    else
+        takePoke(*poke);
     emit changed();
+}
+
+void PokeTest::takePoke(const Poke& poke) {
+    m_poke = poke;
+    m_motions.latest.reset();
+    if (!m_motions.isKept) m_motions.former.reset();
+    fitPlayer();
+    repeat();
 }
 
 QString PokeTest::obstacle() const {

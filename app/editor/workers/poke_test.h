@@ -22,7 +22,8 @@ public:
 
     /// Brings the organ to rest and writes down what the hand does, until stop() or for `longestPoke`.
     void record();
-    /// Ends it and computes the motion.
+    /// Ends it and computes the motion. Where the hand touched nothing, or the recording ended on the way,
+    /// the poke before stays and failure() says why.
     void stop();
     bool isRecording() const { return m_recording.isActive(); }
     double recordedTime() const; ///< s, so far
@@ -51,6 +52,8 @@ public:
     PokePlayer& player() { return m_player; }
 
 signals:
+    /// From now on the hand is followed.
+    void recordingBegan();
     /// What any of these gives, but the player.
     void changed();
     /// On the worker's thread: it has news.
@@ -66,6 +69,7 @@ private:
 
     Motion answerTo(const Worker::Task& task);
     void hear();
+    void takePoke(const Poke& poke);
     void take(const Motion& motion);
     void followRecording();
     void followDocument(const Change& change);

@@ -18,10 +18,6 @@ QString secondsText(double seconds) {
     return decimalText(seconds, 1) + QStringLiteral(" s");
 }
 
-bool acts(const HandMoment& moment) {
-    return moment.loads.pull || moment.loads.instrument;
-}
-
 /// The largest of a quantity in a motion, in a unit; none without a motion.
 std::optional<double> largest(const PokeTest::Motion& motion, double PokePicture::*quantity, double unit) {
     if (!motion) return std::nullopt;
@@ -47,6 +43,8 @@ PokePanel::PokePanel(PokeTest& test, QWidget* parent)
                       tr("Of the tissue on what pulls or pushes it, a mean over a moment"));
     m_figures->addRow(tr("Largest displacement, mm"), QStringLiteral("pokeDisplacement"),
                       tr("Of the tissue that is pulled or pushed, from where it rests"));
+    m_figures->addRow(tr("Force at the moment shown, N"), QStringLiteral("pokeForceShown"),
+                      tr("While a moment of the motion is watched"));
     met->body()->addWidget(m_figures);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -55,6 +53,7 @@ PokePanel::PokePanel(PokeTest& test, QWidget* parent)
     column->addWidget(met);
 
     connect(&m_test, &PokeTest::changed, this, &PokePanel::refresh);
+    connect(&m_test.player(), &PokePlayer::changed, this, &PokePanel::showMoment);
     refresh();
 }
 
@@ -120,6 +119,7 @@ void PokePanel::refresh() {
 }
 
 void PokePanel::showFigures() {
+    showMoment();
     if (m_shown == m_test.latest() && m_shownBefore == m_test.former()) return;
     m_shown = m_test.latest();
     m_shownBefore = m_test.former();
@@ -128,6 +128,14 @@ void PokePanel::showFigures() {
                       largest(m_shownBefore, &PokePicture::force, 1));
     m_figures->setRow(1, largest(m_shown, &PokePicture::displacement, millimetre),
                       largest(m_shownBefore, &PokePicture::displacement, millimetre));
+}
+
+void PokePanel::showMoment() {
+    const auto forceIn = [&](const PokeTest::Motion& motion) -> std::optional<double> {
+        if (!motion || !m_test.player().isShown()) return std::nullopt;
+        return pictureAt(*motion, m_test.player().time()).force;
+    };
+    m_figures->setRow(2, forceIn(m_test.latest()), forceIn(m_test.former()));
 }
 
 void PokePanel::showNews() {
@@ -146,8 +154,6 @@ QString PokePanel::remark() const {
     const PokeTest::Motion& latest = m_test.latest();
     if (!latest) return {};
     if (m_test.isOutdated()) return tr("Computed before the last change of the organ: repeat it.");
-    if (std::none_of(m_test.poke()->moments.begin(), m_test.poke()->moments.end(), acts))
-        return tr("Your hand touched nothing: pull or push the organ while it is recorded.");
     if (!latest->failure.empty())
         return tr("The motion ends early: %1").arg(QString::fromStdString(latest->failure));
     return {};

@@ -20,6 +20,7 @@ private:
     QWidget* buildButtons();
     void refresh();
     void showFigures();
+    void showMoment();
     void showNews();
     QString remark() const;
 

@@ -114,8 +114,6 @@ void PokeView::refresh() {
                         tr("Write times, forces and displacements as a table (.csv)"),
                         tr("This motion is the one that the next is compared with"),
                         tr("There is no earlier motion beside this one"), none});
-    enable(m_film, now != nullptr,
-           tr("Write the motion as a film (.avi), or its pictures (.png), seen as now"), none);
     if (now != m_shown || before != m_shownBefore) showMotions();
     showMoment();
 }
@@ -135,6 +133,8 @@ void PokeView::showMoment() {
     const bool canShow = player.duration() > 0;
     const QString none =
         m_shown ? tr("The organ has other nodes now: repeat the poke") : tr("Record a poke first");
+    enable(m_film, canShow, tr("Write the motion as a film (.avi), or its pictures (.png), seen as now"),
+           none);
     m_watch->setText(player.isPlaying() ? tr("Pause") : tr("Watch"));
     enable(m_watch, canShow,
            player.isPlaying() ? tr("Stay at this moment")

@@ -20,15 +20,20 @@ protected:
     bool isSaid(const char* label, const QString& text) { return child<QLabel>(label)->text() == text; }
     QPushButton& button(const char* name) { return *child<QPushButton>(name); }
 
-    /// Presses Record, pulls at the middle of the organ, and presses Stop.
+    /// As the panel says, s.
+    double recordedTime() { return child<QLabel>("pokeLength")->text().section(' ', 0, 0).toDouble(); }
+
+    /// Presses Record, pulls at the middle of the organ for some time, and presses Stop.
     void poke() {
         button("recordPoke").click();
-        ESM_EVENTUALLY(!isSaid("pokeLength", "none yet") && !isSaid("pokeLength", "0.0 s"));
+        ESM_EVENTUALLY(recordedTime() > 0);
         QWidget& view = window->view();
         const QPoint middle = view.rect().center();
         QTest::mousePress(&view, Qt::LeftButton, {}, middle);
         moveMouse(middle + QPoint(40, 20));
         ESM_EVENTUALLY(window->preview().status().pull.has_value());
+        const double pulledFrom = recordedTime();
+        ESM_EVENTUALLY(recordedTime() > pulledFrom + 0.15);
         QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(40, 20));
         button("recordPoke").click();
         ESM_EVENTUALLY(!isSaid("pokeForce", QChar(0x2013)));
@@ -83,6 +88,7 @@ TEST_F(PokeScreenTest, AMomentShowsTheOrganAsItWasPulledAndTheOtherTurnsAlong) {
     EXPECT_TRUE(former->camera() == window->view().camera());
     former->showView(StandardView::Left);
     EXPECT_TRUE(former->camera() == window->view().camera());
+    EXPECT_EQ(child<QLabel>("pokeForceShown")->text(), child<QLabel>("pokeForceShownBefore")->text());
     slider->setValue(0);
     const double apart = (window->view().scene().nodePositions[40] - rest[40]).norm();
     EXPECT_LT(apart, 1e-6) << "it began at rest";
@@ -101,6 +107,38 @@ TEST_F(PokeScreenTest, WhoTakesAToolWantsTheLivingOrgan) {
     button("watchPoke").click();
     window->windowActions().tissue->trigger();
     EXPECT_FALSE(button("leavePoke").isEnabled());
+}
+
+TEST_F(PokeScreenTest, PlayGoesOnWithTheLivingOrgan) {
+    poke();
+    window->preview().setPlaying(true);
+    ESM_EVENTUALLY(window->preview().status().playing);
+    button("watchPoke").click();
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    window->windowActions().play->trigger();
+    EXPECT_FALSE(button("leavePoke").isEnabled());
+    ESM_EVENTUALLY(window->preview().status().playing);
+}
+
+TEST_F(PokeScreenTest, RecordingNeedsAToolThatTouches) {
+    window->windowActions().tool("look")->trigger();
+    button("recordPoke").click();
+    EXPECT_EQ(toolInHand(), "pull");
+    button("recordPoke").click();
+    EXPECT_TRUE(child<QLabel>("pokeMessage")->text().contains("touched nothing"));
+    window->windowActions().tool("instrument")->trigger();
+    button("recordPoke").click();
+    EXPECT_EQ(toolInHand(), "instrument");
+    button("recordPoke").click();
+}
+
+TEST_F(PokeScreenTest, OnOtherNodesNoFilmIsOffered) {
+    poke();
+    EXPECT_TRUE(button("saveFilm").isEnabled());
+    window->document().edit("nodes", [](Project& project) {
+        project = withDetail(project, {Detail::Kind::Nodes, 300});
+    });
+    EXPECT_FALSE(button("saveFilm").isEnabled());
 }
 
 TEST_F(PokeScreenTest, FilmTableAndChartAreWrittenWhereTheUserSays) {

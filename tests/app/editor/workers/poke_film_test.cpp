@@ -87,6 +87,10 @@ TEST(PokeFilm, LeavesOthersPicturesAloneAndNoneOfItsOwnWhenCancelled) {
     EXPECT_THROW(writeFilm(shortFilm(), folder / "poke.avi", oneOnly), Cancelled);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
     EXPECT_THROW(writeFilmPictures(shortFilm(), folder / "none" / "poke.png"), FileError);
+    bool hasBegun = false;
+    const Progress noteBegin = [&](double) { return hasBegun = true; };
+    EXPECT_THROW(writeFilm(shortFilm(), folder / "none" / "poke.avi", noteBegin), FileError);
+    EXPECT_FALSE(hasBegun) << "the user waits for no picture in vain";
 }
 
 } // namespace

@@ -3,6 +3,8 @@
 #include "tests/app/editor/workers/poked_organ.h"
 #include "tests/support/eventually.h"
 
+#include <gmock/gmock.h>
+
 using namespace esm;
 
 namespace {
@@ -67,6 +69,28 @@ TEST_F(PokeTestTest, ComparesTheOrganWithWhatItWasBefore) {
     EXPECT_GT(largestForce(test.latest()), 1.2 * largestForce(soft));
     test.forgetFormer();
     EXPECT_FALSE(test.former());
+}
+
+TEST_F(PokeTestTest, ARecordingWithoutAHandLeavesThePokeBefore) {
+    poke();
+    const PokeTest::Motion motion = test.latest();
+    test.record();
+    ESM_EVENTUALLY(test.recordedTime() > 0.1);
+    test.stop();
+    EXPECT_EQ(test.latest(), motion);
+    EXPECT_THAT(test.failure(), testing::HasSubstr("touched nothing"));
+    EXPECT_TRUE(test.obstacle().isEmpty());
+    repeat();
+    EXPECT_TRUE(test.failure().empty());
+}
+
+TEST_F(PokeTestTest, ARecordingThatIsResetEndsWithAWord) {
+    test.record();
+    ESM_EVENTUALLY(test.recordedTime() > 0.1);
+    preview.reset();
+    ESM_EVENTUALLY(!test.isRecording());
+    EXPECT_THAT(test.failure(), testing::HasSubstr("record again"));
+    EXPECT_FALSE(test.poke());
 }
 
 TEST_F(PokeTestTest, AnotherNetOfTheOrganIsComparedToo) {
