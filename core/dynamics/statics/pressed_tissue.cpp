@@ -22,34 +22,8 @@ constexpr double looseness = 0.01; ///< of the balance, while the pushes still c
 constexpr double nearlyBalanced = 1e-4;
 constexpr double smallMove = 1e-5;  ///< in radii
 constexpr double firstTouch = 1e-3; ///< in radii
-constexpr double leastTie = 1e-6;   ///< of what resists the stiffest node
-constexpr double tieGrowth = 16;
-constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000, mostTies = 10;
+constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000;
 constexpr int mostReaches = 12; ///< each twice as far as the one before
-
-/// N/m per node, of all that is at it, over a step of one over `rate` (1/s); at rest that is 0.
-std::vector<double> nodeStiffness(const SpringSystem& system, double rate) {
-    std::vector<double> sums(system.mass.size());
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        sums[i] = rate * rate * system.mass[i];
-    for (const auto& spring : system.springs)
-        for (const std::uint32_t node : {spring.first, spring.second})
-            sums[node] += largestSpringConstant(spring) + rate * spring.viscosity;
-    for (const auto& hinge : system.hinges)
-        for (std::size_t i = 0; i < 4; ++i)
-            sums[hinge.nodes[i]] +=
-                hinge.weights[i] * hinge.weights[i] * (largestSpringConstant(hinge) + rate * hinge.viscosity);
-    for (const Tether& tether : system.tethers)
-        sums[tether.node] += tether.springConstant + rate * tether.viscosity;
-    return sums;
-}
-
-Vectors placesOfAllRows(const SpringSystem& system) {
-    Vectors places;
-    for (std::size_t node = 0; node < system.fixed.size(); ++node)
-        if (!system.fixed[node]) places.insert(places.end(), 3, system.network->restPositions[node]);
-    return places;
-}
 
 } // namespace
 
@@ -59,7 +33,7 @@ PressedTissue::PressedTissue(const SpringSystem& system, std::vector<Triangle> s
       m_contacts(std::move(surface), system.fixed, indenter.radius), m_motion{system.network->restPositions,
                                                                               Vectors(system.mass.size(),
                                                                                       Vector3d::Zero())},
-      m_perDepth(system.mass.size(), Vector3d::Zero()), m_rowPlaces(placesOfAllRows(system)) {}
+      m_perDepth(system.mass.size(), Vector3d::Zero()), m_rowPlaces(restPlacesOfRows(system)) {}
 
 double PressedTissue::force() const {
     return m_contacts.force(centre(m_depth), m_motion.positions).dot(m_indenter.inwards);
@@ -88,10 +62,10 @@ void PressedTissue::step(const Drive& wanted, double duration) {
 }
 
 void PressedTissue::setLapse(std::optional<TimeLapse> lapse) {
-    std::vector<double> stiffness = nodeStiffness(m_system, lapse ? 1 / lapse->duration : 0);
+    m_potential.setLapse(std::move(lapse));
+    std::vector<double> stiffness = m_potential.nodeStiffness();
     m_stiffest = *std::max_element(stiffness.begin(), stiffness.end());
     m_contacts.setStiffness(std::move(stiffness));
-    m_potential.setLapse(std::move(lapse));
 }
 
 void PressedTissue::drive(const Drive& wanted) {
@@ -195,16 +169,10 @@ void PressedTissue::minimise(double tolerance) {
 
 // Pressed springs push their ends aside, so that the potential may bend downwards, where tissue is about to
 // fold; and nothing resists a flat sheet's motion across, or a net's that shears freely. Then all nodes are
-// tied to where they are by as little as makes the matrix positive (Levenberg 1944). Half of that matrix
-// being left out instead, the method would creep along a fold, whose way down is what is left out.
+// tied to where they are by as little as makes the matrix positive. Half of that matrix being left out
+// instead, the method would creep along a fold, whose way down is what is left out.
 NewtonWay PressedTissue::newtonWay(const Vectors& forces) {
-    m_tie /= tieGrowth;
-    if (m_tie < leastTie * m_stiffest) {
-        if (auto way = newtonWay(forces, 0)) return *way;
-        m_tie = leastTie * m_stiffest;
-    }
-    for (int attempt = 0; attempt < mostTies; ++attempt, m_tie *= tieGrowth)
-        if (auto way = newtonWay(forces, m_tie)) return *way;
+    if (auto way = m_tie.find(m_stiffest, [&](double tie) { return newtonWay(forces, tie); })) return *way;
     throw InvalidModel("the tissue beneath the finger cannot be balanced, since next to nothing holds parts "
                        "of it: give it tethers or fixed nodes");
 }

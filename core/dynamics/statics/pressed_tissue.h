@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/statics/least_tie.h"
 #include "core/dynamics/statics/newton_way.h"
 #include "core/dynamics/statics/resting_potential.h"
 #include "core/dynamics/statics/sphere_contacts.h"
@@ -76,8 +77,8 @@ private:
     double m_depth = 0;             ///< m
     std::optional<double> m_pushed; ///< N, where the force is given
     MatrixFactoriser m_factoriser;
-    Vectors m_rowPlaces;   ///< m, of the matrix' rows
-    double m_tie = 0;      ///< N/m, by which all nodes were last tied to their places
+    Vectors m_rowPlaces; ///< m, of the matrix' rows
+    LeastTie m_tie;
     double m_stiffest = 0; ///< N/m, of all nodes
 };
 

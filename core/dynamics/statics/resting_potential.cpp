@@ -87,4 +87,28 @@ void RestingPotential::addStiffness(const Vectors& positions, BlockEntries& entr
         entries.add(i, i, rate * rate * m_system.mass[i] * Matrix3d::Identity());
 }
 
+std::vector<double> RestingPotential::nodeStiffness() const {
+    const double rate = m_lapse ? 1 / m_lapse->duration : 0;
+    std::vector<double> sums(m_system.mass.size());
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        sums[i] = rate * rate * m_system.mass[i];
+    for (const auto& spring : m_system.springs)
+        for (const std::uint32_t node : {spring.first, spring.second})
+            sums[node] += largestSpringConstant(spring) + rate * spring.viscosity;
+    for (const auto& hinge : m_system.hinges)
+        for (std::size_t i = 0; i < 4; ++i)
+            sums[hinge.nodes[i]] +=
+                hinge.weights[i] * hinge.weights[i] * (largestSpringConstant(hinge) + rate * hinge.viscosity);
+    for (const Tether& tether : m_system.tethers)
+        sums[tether.node] += tether.springConstant + rate * tether.viscosity;
+    return sums;
+}
+
+Vectors restPlacesOfRows(const SpringSystem& system) {
+    Vectors places;
+    for (std::size_t node = 0; node < system.fixed.size(); ++node)
+        if (!system.fixed[node]) places.insert(places.end(), 3, system.network->restPositions[node]);
+    return places;
+}
+
 } // namespace esm

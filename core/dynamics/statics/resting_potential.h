@@ -28,10 +28,15 @@ public:
     void forces(const Vectors& positions, Vectors& forces) const; ///< N, in place of what was there
     /// Without what ties all nodes of a fluid's wall to each other (globalTermsOf()).
     void addStiffness(const Vectors& positions, BlockEntries& entries) const;
+    /// N/m per node, of all that is at it.
+    std::vector<double> nodeStiffness() const;
 
 private:
     const SpringSystem& m_system;
     std::optional<TimeLapse> m_lapse;
 };
+
+/// m, of the rows of a matrix over the nodes that are not fixed.
+Vectors restPlacesOfRows(const SpringSystem& system);
 
 } // namespace esm
