@@ -1,9 +1,7 @@
 #include "core/probing/indenter_placing.h"
 
-#include "core/geometry/surface_spot.h"
+#include "core/probing/probed_spot.h"
 #include "core/support/errors.h"
-#include "core/support/numbers.h"
-#include "core/surface/surface_query.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,32 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Of the organ's size: so far may a place be off the surface, which a coarser one than the drawn is too.
-constexpr double nearEnough = 0.02;
 constexpr int mostSteps = 400, bisections = 40;
-
-std::string lengthText(double metres) {
-    return roundedText(1000 * metres, 3) + " mm";
-}
-
-std::string spotText(const Vector3d& place) {
-    return roundedText(place.x(), 4) + " " + roundedText(place.y(), 4) + " " + roundedText(place.z(), 4);
-}
-
-/// The spot of the surface that is nearest to the place.
-SurfaceSpot spotAt(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place) {
-    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
-    const std::optional<RayHit> hit = query.nearest(place);
-    if (!hit) throw InvalidModel("the place to press must be three finite numbers");
-    const Triangle& triangle = organ.surface.triangles[hit->triangle];
-    SurfaceSpot spot{Vector3d::Zero(), areaNormal(nodes, triangle).normalized()};
-    for (int i = 0; i < 3; ++i)
-        spot.point += hit->barycentric[i] * nodes[triangle[static_cast<std::size_t>(i)]];
-    if (hit->distance > nearEnough * boundingBox(nodes).diagonal().norm())
-        throw InvalidModel("the place to press is " + lengthText(hit->distance) +
-                           " off the organ's surface; its nearest point is " + spotText(spot.point) + " m");
-    return spot;
-}
 
 // The mean over what the finger will cover, since one triangle says more of the mesh than of the organ. Two
 // meshes of an organ are then pressed in nearly the same direction.
@@ -115,7 +88,7 @@ PlacedIndenter placedIndenter(const ProbedOrgan& organ, const std::vector<char>&
                               const ProbeSettings& settings) {
     const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
     const SurfaceQuery query(nodes, organ.surface.triangles);
-    const SurfaceSpot spot = spotAt(organ, query, settings.place);
+    const SurfaceSpot spot = probedSpot(organ, query, settings.place);
     const Vector3d inwards = inwardsAt(organ, spot, settings);
     const double thickness = thicknessAt(organ, query, spot.point, inwards);
     const Vector3d centre = touchingCentre(query, spot.point, inwards, settings.radius);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/smooth_step.h"
 #include "core/texture/image.h"
 
 #include <Eigen/Core>
@@ -37,9 +38,6 @@ Image pictureOf(const Tissue& tissue);
 
 /// The field's value at a place of 0 to 1 across the picture.
 double valueAt(const Field& field, double x, double y);
-
-/// 0 at `from`, 1 at `to`, smooth between them and level beyond.
-double smoothStep(double from, double to, double value);
 
 TissueColour mixed(const TissueColour& a, const TissueColour& b, double share);
 

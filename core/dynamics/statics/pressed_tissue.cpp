@@ -1,5 +1,6 @@
 #include "core/dynamics/statics/pressed_tissue.h"
 
+#include "core/dynamics/statics/balance.h"
 #include "core/dynamics/statics/line_search.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
@@ -13,16 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double closeness = 1e-5; ///< in radii, of triangles that were not known to be inside
-constexpr double steady = 3e-4;    ///< of the force, from one update of the pushes to the next
-constexpr double balanced = 1e-6;  ///< of forces that are left, over the pushes
-constexpr double looseness = 0.01; ///< of the balance, while the pushes still change by all
-/// The same where rounding lets nothing more be gained, or after many steps down a valley with next to no
-/// slope, as of a net that shears freely: the force is known long before the place is.
-constexpr double nearlyBalanced = 1e-4;
+constexpr double closeness = 1e-5;  ///< in radii, of triangles that were not known to be inside
+constexpr double steady = 3e-4;     ///< of the force, from one update of the pushes to the next
+constexpr double looseness = 0.01;  ///< of the balance, while the pushes still change by all
 constexpr double smallMove = 1e-5;  ///< in radii
 constexpr double firstTouch = 1e-3; ///< in radii
-constexpr int mostRounds = 60, manySteps = 50, mostDownhillSteps = 1000;
+constexpr int mostRounds = 60;
 constexpr int mostReaches = 12; ///< each twice as far as the one before
 
 } // namespace
@@ -159,7 +156,7 @@ void PressedTissue::minimise(double tolerance) {
         m_potential.forces(m_motion.positions, forces);
         m_contacts.addForces(centre(m_depth), m_motion.positions, forces);
         const double left = imbalance(forces);
-        if (left <= tolerance || (step >= manySteps && left <= nearlyBalanced)) return;
+        if (isAtRest(left, tolerance, step)) return;
         if (go(newtonWay(forces))) continue;
         if (left <= nearlyBalanced) return;
         break;

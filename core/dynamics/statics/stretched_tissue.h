@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/dynamics/statics/least_tie.h"
+#include "core/dynamics/statics/newton_way.h"
+#include "core/dynamics/statics/resting_potential.h"
+#include "core/dynamics/step_matrix.h"
+
+#include <functional>
+
+namespace esm {
+
+/// Tissue whose fixed nodes are led away from where they rest, found by balance.
+class StretchedTissue {
+public:
+    /// At rest.
+    /// @param system whose fixed nodes are led; outlives this
+    /// @param checkpoint called now and then within long work; what it throws goes through
+    explicit StretchedTissue(const SpringSystem& system, std::function<void()> checkpoint = {});
+
+    /// Where all forces cancel while the led nodes stand at `expected` places (m); the others' are where the
+    /// search begins, unless those of before are better. @throws InvalidModel where no such place is found
+    void settle(const Vectors& expected);
+
+    const Vectors& positions() const { return m_positions; } ///< m
+    /// N, that has to be laid on some of the led nodes to keep them there.
+    Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes) const;
+
+private:
+    double imbalance(const Vectors& forces) const;
+    bool goDownhill(const Vectors& forces);
+    std::optional<NewtonWay> newtonWay(const Vectors& forces, double tie);
+
+    const SpringSystem& m_system;
+    std::function<void()> m_checkpoint;
+    RestingPotential m_potential;
+    Vectors m_positions;
+    MatrixFactoriser m_factoriser;
+    Vectors m_rowPlaces; ///< m, of the matrix' rows
+    LeastTie m_tie;
+    double m_stiffest; ///< N/m, of all nodes
+    double m_size;     ///< m, of all of it at rest
+};
+
+} // namespace esm

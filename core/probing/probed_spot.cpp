@@ -1,0 +1,39 @@
+#include "core/probing/probed_spot.h"
+
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+namespace esm {
+
+namespace {
+
+using Eigen::Vector3d;
+
+/// Of the organ's size: so far may a place be off the surface, which a coarser one than the drawn is too.
+constexpr double nearEnough = 0.02;
+
+std::string spotText(const Vector3d& place) {
+    return roundedText(place.x(), 4) + " " + roundedText(place.y(), 4) + " " + roundedText(place.z(), 4);
+}
+
+} // namespace
+
+SurfaceSpot probedSpot(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place) {
+    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
+    const std::optional<RayHit> hit = query.nearest(place);
+    if (!hit) throw InvalidModel("the place must be three finite numbers");
+    const Triangle& triangle = organ.surface.triangles[hit->triangle];
+    SurfaceSpot spot{Vector3d::Zero(), areaNormal(nodes, triangle).normalized()};
+    for (int i = 0; i < 3; ++i)
+        spot.point += hit->barycentric[i] * nodes[triangle[static_cast<std::size_t>(i)]];
+    if (hit->distance > nearEnough * boundingBox(nodes).diagonal().norm())
+        throw InvalidModel("the place is " + lengthText(hit->distance) +
+                           " off the organ's surface; its nearest point is " + spotText(spot.point) + " m");
+    return spot;
+}
+
+std::string lengthText(double metres) {
+    return roundedText(1000 * metres, 3) + " mm";
+}
+
+} // namespace esm

@@ -1,0 +1,113 @@
+#include "core/probing/strip.h"
+
+#include "core/dynamics/statics/stretched_tissue.h"
+#include "core/probing/probed_spot.h"
+#include "core/probing/strip_gauge.h"
+#include "core/support/errors.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Of the largest stiffness times the elongation: a strip that pulls by less is slack.
+constexpr double slack = 1e-6;
+
+void requireSensible(const StripSettings& settings) {
+    std::vector<std::string> problems;
+    const auto require = [&](bool isSo, const char* problem) {
+        if (!isSo) problems.emplace_back(problem);
+    };
+    require(isPositive(settings.length), "the strip's length must be above 0 m");
+    require(isPositive(settings.width), "the strip's width must be above 0 m");
+    require(isPositive(settings.stretch) && settings.stretch <= largestStretch,
+            "a strip is stretched by more than 0 and at most to twice its length");
+    require(settings.steps >= 1 && settings.steps <= mostProbeSteps, "it is stretched in 1 to 1000 steps");
+    require(!settings.wallThickness || isPositive(*settings.wallThickness),
+            "the wall's thickness must be above 0 m");
+    if (!problems.empty()) throw InvalidModel(std::move(problems));
+}
+
+void requireStretchable(const ProbedOrgan& organ, const StripSettings& settings) {
+    if (organ.surface.body)
+        throw InvalidModel("the organ moves as one stiff piece, of which no strip can be stretched: choose a "
+                           "detail with nodes or fill it");
+    if (organ.surface.empty())
+        throw InvalidModel("the organ has no surface that a strip could be cut out of");
+    const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
+    if (settings.length > size || settings.width > size)
+        throw InvalidModel("the organ is " + lengthText(size) + " large: choose a smaller strip");
+}
+
+// The clamps hold whole nodes, as those of a laboratory do, rather than let the strip become narrower in
+// them. That stiffens its ends, which the gauge does not see.
+/// Where tissue would be that gives way evenly between the clamps.
+Vectors evenlyStretched(const CutStrip& strip, const Vectors& positions, double rest, double longer) {
+    Vectors stretched = positions;
+    const Vectors& places = strip.tissue.network->restPositions;
+    for (std::size_t i = 0; i < stretched.size(); ++i) {
+        const double x = strip.frame.coordinatesOf(places[i]).x() / rest;
+        stretched[i] += std::clamp(x, -0.5, 0.5) * longer * strip.frame.along;
+    }
+    return stretched;
+}
+
+// Each stretch begins where the one before came to rest: a strip that was bent is straightened on the way,
+// and one that folds keeps to its fold.
+/// From the strip at rest on, whose springs may pull where their rest lengths are not those they have.
+std::vector<StripPoint> stretchCurve(const CutStrip& strip, const StripSettings& settings,
+                                     const StripGauge& gauge, const Progress& progress) {
+    const SpringSystem system = makeSpringSystem(strip.tissue);
+    double done = 0;
+    StretchedTissue tissue(system, [&] { reportProgress(progress, done); });
+    std::vector<StripPoint> curve;
+    const double stride = settings.stretch * settings.length / settings.steps;
+    for (int i = 0; i <= settings.steps; ++i) {
+        done = static_cast<double>(i) / (settings.steps + 1);
+        tissue.settle(evenlyStretched(strip, tissue.positions(), settings.length, i == 0 ? 0 : stride));
+        const double force = tissue.forceOn(strip.clamped[1]).dot(strip.frame.along);
+        curve.push_back({i * stride, gauge.strain(tissue.positions()), force});
+    }
+    return curve;
+}
+
+/// N/m, by which a strip pulls more for each metre that the clamps go on.
+double stiffnessOf(const StripPoint& from, const StripPoint& to) {
+    return (to.force - from.force) / (to.elongation - from.elongation);
+}
+
+// The slope of the last step, since a bent strip first is straightened, and a folded one unfolded.
+void tellModulus(StripResult& result, double crossSection, bool isSolid, std::optional<double> thickness) {
+    const StripPoint &from = result.curve[result.curve.size() - 2], &to = result.curve.back();
+    const double strain = to.strain - from.strain;
+    if (!(strain > slack * to.strain) || !(to.force > from.force)) return;
+    const double modulus = (to.force - from.force) / (crossSection * strain);
+    if (isSolid)
+        result.youngsModulus = modulus;
+    else
+        result.membraneStiffness = modulus;
+    if (!isSolid && thickness) result.youngsModulus = modulus / *thickness;
+}
+
+} // namespace
+
+StripResult pullStrip(const ProbedOrgan& organ, const StripSettings& settings, const Progress& progress) {
+    requireSensible(settings);
+    requireStretchable(organ, settings);
+    const CutStrip strip = cutStrip(organ, settings);
+    const StripGauge gauge(strip, settings.length);
+    StripResult result;
+    result.place = strip.frame.place;
+    result.along = strip.frame.along;
+    result.nodeCount = strip.tissue.mass.size();
+    result.curve = stretchCurve(strip, settings, gauge, progress);
+    result.stiffnessAtStart = stiffnessOf(result.curve[0], result.curve[1]);
+    result.stiffness = stiffnessOf(result.curve[result.curve.size() - 2], result.curve.back());
+    tellModulus(result, gauge.crossSection(), organ.model.network->lattice.has_value(),
+                settings.wallThickness);
+    reportProgress(progress, 1);
+    return result;
+}
+
+} // namespace esm
