@@ -59,7 +59,13 @@ COMMANDS = {
                                    "--direction": ["x", "1 2", "nan 0 0", ""], "--radius": POSITIVE,
                                    "--depth": POSITIVE, "--steps": WHOLE + ["0", "1001"], "--relax": POSITIVE,
                                    "--creep": POSITIVE, "--creep-time": POSITIVE, "--with": FILE,
+                                   "--strip": None, "--along": None, "--stretch": None,
                                    "--csv": ["-", "out.esm", ""], "--plot": ["-", "chart.gif", "chart", ""]},
+    "probe organ.esm --at 0,0,0 --strip 0.04,0.01": {
+        "model": FILE, "--at": ["x", "1 2", "nan 0 0", ""], "--node": None, "--direction": None, "--radius": None,
+        "--depth": None, "--steps": None, "--relax": None, "--creep": None, "--creep-time": None, "--with": None,
+        "--csv": None, "--plot": None, "--strip": ["x", "1", "1 2 3", "nan 1", "0 1", "-1 1", ""],
+        "--along": ["x", "1 2", "nan 0 0"], "--stretch": POSITIVE + ["1.5"]},
     "extremes": {"-o": ["-", "out.esm", ""]},
     "texture pack organ.esm": {
         "project": FILE, "-o": TO_PROJECT, "--size": WHOLE + ["0", "-5", "16385"], "--pages": WHOLE + ["0", "-1", "65"],

@@ -41,6 +41,37 @@ class ProbeTest(Case):
         report = self.done("probe", organ, "--at", self.at(), "--depth", 0.001, "--steps", 1, "--with", firm)
         self.assertGreater(report["with"]["force"], report["force"])
 
+    def test_a_strip_tells_how_firm_a_wall_is(self):
+        organ = self.organ()
+        chart, table = self.file("strip.png"), self.file("strip.csv")
+        options = ["--at", self.at(), "--strip", "0.04 0.02", "--steps", 2]
+        report = self.done("probe", organ, *options, "--stretch", 0.1, "--plot", chart, "--csv", table)
+        self.assertEqual([point["elongation"] for point in report["curve"]], [0, 0.002, 0.004])
+        self.assertGreater(report["force"], 0)
+        self.assertAlmostEqual(report["youngs_modulus"], report["membrane_stiffness"] / 0.003, places=6)
+        self.assertEqual(chart.read_bytes()[:4], b"\x89PNG")
+        with table.open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["force_n"]) for row in rows], [point["force"] for point in report["curve"]])
+        package = self.file("organ.glb")
+        self.done("export", organ, "--to", "glb", "-o", package)
+        packed = self.done("probe", package, *options, "--stretch", 0.1)
+        self.assertIsNone(packed["youngs_modulus"], "it does not say how thick the wall is")
+        self.assertAlmostEqual(packed["membrane_stiffness"], report["membrane_stiffness"], delta=1e-4 * report["membrane_stiffness"])
+        solid = self.organ("solid.esm", "--fill", "body-centred", "--spacing", 0.008)
+        filled = self.done("probe", solid, *options)
+        self.assertIsNone(filled["membrane_stiffness"])
+        self.assertGreater(filled["youngs_modulus"], 100)
+        self.assertGreater(self.done("probe", organ, *options, "--with", solid)["with"]["force"], 0)
+
+    def test_what_cannot_be_stretched_is_said(self):
+        organ = self.organ()
+        for options, what in [(["--strip", "3 0.02"], "choose a smaller strip"), (["--strip", "0.04 1e-6"], "nodes lie"),
+                              (["--strip", "0.04 0.02", "--along", "0 0 1"], "along the organ's surface")]:
+            self.fails(1, "probe", organ, "--at", self.at(), *options, naming=what)
+        self.assertEqual(command("probe", str(organ), "--at", self.at(), "--along", "1 0 0").returncode, 2)
+        self.assertEqual(command("probe", str(organ), "--at", self.at(), "--strip", "0.04 0.02", "--depth", "1").returncode, 2)
+
     def test_what_cannot_be_pressed_is_said(self):
         organ = self.organ()
         for options, what in [(["--at", "9 9 9"], "off the organ's surface"), (["--at", self.at(), "--depth", 0.15], "thick"),
