@@ -17,6 +17,8 @@ struct Cavity {
         0; ///< Pa, that the fluid's pressure falls by per relative growth of its volume; 0: none
     /// Pa, either way, that loads will lay on it at most; steps are chosen for it.
     double largestPressure = 0;
+
+    bool operator==(const Cavity&) const = default;
 };
 
 /// One part of a surface over nodes at rest, in m, as a cavity of no stiffness.

@@ -29,23 +29,23 @@ Vector3d inwardsAt(const ProbedOrgan& organ, const SurfaceSpot& spot, const Prob
     return inwards;
 }
 
-/// From the place inwards to the other side. The ray begins a little inside, so that it does not meet the
+/// From a place inwards to the next wall. The ray begins a little inside, so that it does not meet the
 /// triangle that it starts from; an open sheet has no other side.
-double thicknessAt(const SurfaceQuery& query, const Vector3d& place, const Vector3d& inwards, double size) {
+double wayToNextWall(const SurfaceQuery& query, const Vector3d& place, const Vector3d& inwards, double size) {
     const double skipped = 1e-6 * size;
     const std::optional<RayHit> hit = query.firstHit({place + skipped * inwards, inwards});
     return hit ? hit->distance + skipped : std::numeric_limits<double>::infinity();
 }
 
-/// A wall can be dented deeper than it is thick: beneath it lies the organ's cavity, as far as to the wall on
-/// the other side.
-double thicknessAt(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place,
-                   const Vector3d& inwards) {
+/// A wall of prisms can be dented deeper than it is thick: beneath it lies the organ's cavity, until its
+/// inner side meets the wall on the other side.
+double roomAt(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place,
+              const Vector3d& inwards) {
     const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
-    const double tissue = thicknessAt(query, place, inwards, size);
+    const double tissue = wayToNextWall(query, place, inwards, size);
     const std::optional<Lattice>& lattice = organ.model.network->lattice;
     if (!lattice || !isWall(lattice->filling) || !std::isfinite(tissue)) return tissue;
-    return tissue + thicknessAt(query, place + tissue * inwards, inwards, size);
+    return wayToNextWall(query, place + tissue * inwards, inwards, size);
 }
 
 // What stands out beside the place may be touched first. So the sphere is drawn back until it is free, and
@@ -90,7 +90,7 @@ PlacedIndenter placedIndenter(const ProbedOrgan& organ, const std::vector<char>&
     const SurfaceQuery query(nodes, organ.surface.triangles);
     const SurfaceSpot spot = probedSpot(organ, query, settings.place);
     const Vector3d inwards = inwardsAt(organ, spot, settings);
-    const double thickness = thicknessAt(organ, query, spot.point, inwards);
+    const double thickness = roomAt(organ, query, spot.point, inwards);
     const Vector3d centre = touchingCentre(query, spot.point, inwards, settings.radius);
     requireGivingWay(organ, query, isImmovable, centre);
     return {{settings.radius, centre, inwards}, spot.point, thickness};

@@ -8,7 +8,7 @@ namespace esm {
 struct PlacedIndenter {
     Indenter indenter;     ///< at depth 0 it just touches
     Eigen::Vector3d place; ///< m, on the surface
-    double thickness;      ///< m, of the organ beneath; infinite where the line meets no second side
+    double thickness; ///< m, of what can be pressed in beneath; infinite where the line meets no second side
 };
 
 /// Sets a finger onto the organ at rest.

@@ -23,14 +23,15 @@ void requireSensible(const ProbeSettings& settings) {
     require(isPositive(settings.depth), "the depth to press to must be above 0 m");
     require(settings.steps >= 1 && settings.steps <= mostProbeSteps,
             "the depth is reached in 1 to 1000 steps");
+    const auto isTestTime = [](double seconds) { return seconds >= shortestTest && seconds <= longestTest; };
     if (settings.relaxation)
-        require(isPositive(settings.relaxation->rise) && std::isfinite(settings.relaxation->duration) &&
+        require(isTestTime(settings.relaxation->rise) && isTestTime(settings.relaxation->duration) &&
                     settings.relaxation->duration >= 1.01 * settings.relaxation->rise,
                 "relaxation takes longer than the finger takes to the depth, which is 0.05 s where nothing "
-                "else is said");
+                "else is said, and at most 1000000 s");
     if (settings.creep)
-        require(isPositive(settings.creep->duration) && isPositive(settings.creep->force),
-                "creep takes a time above 0 s and a force above 0 N");
+        require(isTestTime(settings.creep->duration) && isPositive(settings.creep->force),
+                "creep takes a force above 0 N and a time from 0.000001 s to 1000000 s");
     if (!problems.empty()) throw InvalidModel(std::move(problems));
 }
 
@@ -143,6 +144,8 @@ ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const
         result.relaxation =
             relaxationCurve(timed, *settings.relaxation, result.curve.back(), parts.next(2 * share));
     if (settings.creep) result.creep = creepCurve(timed, *settings.creep, parts.rest());
+    for (const auto& curve : {result.relaxation, result.creep})
+        result.meetsFixed = result.meetsFixed || (curve && curve->meetsFixed);
     reportProgress(progress, 1);
     return result;
 }

@@ -30,6 +30,7 @@ struct TimeCurve {
     /// of the force at a depth from where it is largest once the finger stands. None where that is not
     /// reached, or there is next to no way
     std::optional<double> timeConstant;
+    bool meetsFixed = false; ///< the finger also lay on fixed nodes, whose force is not counted
 };
 
 /// The finger is at a depth within `rise`, and stays there.
@@ -56,6 +57,7 @@ struct ProbeSettings {
     std::optional<CreepTest> creep{};
 };
 inline constexpr int mostProbeSteps = 1000;
+inline constexpr double shortestTest = 1e-6, longestTest = 1e6; ///< s, of a test in time
 
 /// What a virtual test tells.
 struct ProbeResult {
@@ -68,7 +70,7 @@ struct ProbeResult {
     /// Pa, of the even solid, wide and deep beside the finger, that resists as much at the full depth
     double youngsModulus = 0;
     std::optional<TimeCurve> relaxation, creep;
-    bool meetsFixed = false; ///< the finger also lay on fixed nodes, whose force is not counted
+    bool meetsFixed = false; ///< in any of these the finger also lay on fixed nodes
 };
 
 /// What is probed: its tissue, and what of it a finger touches.

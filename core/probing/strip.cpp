@@ -11,8 +11,8 @@ namespace esm {
 
 namespace {
 
-/// Of the largest stiffness times the elongation: a strip that pulls by less is slack.
-constexpr double slack = 1e-6;
+/// Of what the clamps stretch it by: tissue that is stretched by less is slack, or only straightened.
+constexpr double leastStretched = 0.01;
 
 void requireSensible(const StripSettings& settings) {
     std::vector<std::string> problems;
@@ -78,16 +78,19 @@ double stiffnessOf(const StripPoint& from, const StripPoint& to) {
 }
 
 // The slope of the last step, since a bent strip first is straightened, and a folded one unfolded.
-void tellModulus(StripResult& result, double crossSection, bool isSolid, std::optional<double> thickness) {
+/// Where the strip is taut.
+void tellModulus(StripResult& result, double crossSection, const StripSettings& settings, bool isSolid) {
     const StripPoint &from = result.curve[result.curve.size() - 2], &to = result.curve.back();
     const double strain = to.strain - from.strain;
-    if (!(strain > slack * to.strain) || !(to.force > from.force)) return;
+    if (!(strain > leastStretched * (to.elongation - from.elongation) / settings.length) ||
+        !(to.force > from.force))
+        return;
     const double modulus = (to.force - from.force) / (crossSection * strain);
     if (isSolid)
         result.youngsModulus = modulus;
     else
         result.membraneStiffness = modulus;
-    if (!isSolid && thickness) result.youngsModulus = modulus / *thickness;
+    if (!isSolid && settings.wallThickness) result.youngsModulus = modulus / *settings.wallThickness;
 }
 
 } // namespace
@@ -104,8 +107,7 @@ StripResult pullStrip(const ProbedOrgan& organ, const StripSettings& settings, c
     result.curve = stretchCurve(strip, settings, gauge, progress);
     result.stiffnessAtStart = stiffnessOf(result.curve[0], result.curve[1]);
     result.stiffness = stiffnessOf(result.curve[result.curve.size() - 2], result.curve.back());
-    tellModulus(result, gauge.crossSection(), organ.model.network->lattice.has_value(),
-                settings.wallThickness);
+    tellModulus(result, gauge.crossSection(), settings, organ.model.network->lattice.has_value());
     reportProgress(progress, 1);
     return result;
 }

@@ -97,20 +97,22 @@ PressPoint restUnder(double force, const TimedTest& test) {
 TimeCurve relaxationCurve(const TimedTest& test, const RelaxationTest& wanted, const PressPoint& end,
                           const Progress& progress) {
     PressedTissue tissue = test.fresh();
-    TimeCurve curve{{{0, 0, 0}}, end, {}};
+    TimeCurve curve{{{0, 0, 0}}, end, {}, false};
     const double rise = wanted.rise;
     std::vector<double> times;
-    for (int i = 1; i <= stepsOfRise; ++i)
+    for (int i = 1; i < stepsOfRise; ++i)
         times.push_back(rise * i / stepsOfRise);
+    times.push_back(rise);
     for (const double time : growingTimes(rise, wanted.duration))
         times.push_back(time);
     for (const double time : times) {
         reportProgress(progress,
                        static_cast<double>(curve.points.size() - 1) / static_cast<double>(times.size()));
-        const double depth = end.depth * std::min(1.0, time / rise);
+        const double depth = time < rise ? end.depth * time / rise : end.depth;
         tissue.step(AtDepth{depth}, time - curve.points.back().time);
         curve.points.push_back({time, depth, tissue.force()});
     }
+    curve.meetsFixed = tissue.meetsImmovable();
     const double start = standingFinger(curve).largest.time;
     const auto first = std::find_if(curve.points.begin(), curve.points.end(),
                                     [&](const TimedPress& point) { return point.time >= start; });
@@ -125,7 +127,7 @@ TimeCurve relaxationCurve(const TimedTest& test, const RelaxationTest& wanted, c
 
 TimeCurve creepCurve(const TimedTest& test, const CreepTest& wanted, const Progress& progress) {
     PressedTissue tissue = test.fresh();
-    TimeCurve curve{{{0, 0, wanted.force}}, {0, wanted.force}, {}};
+    TimeCurve curve{{{0, 0, wanted.force}}, {0, wanted.force}, {}, false};
     std::vector<double> depths{0};
     const std::vector<double> times = growingTimes(0, wanted.duration);
     for (const double time : times) {
@@ -137,6 +139,7 @@ TimeCurve creepCurve(const TimedTest& test, const CreepTest& wanted, const Progr
         depths.push_back(tissue.depth());
     }
     curve.end = restUnder(wanted.force, test);
+    curve.meetsFixed = tissue.meetsImmovable();
     curve.timeConstant = timeConstantOf(curve.points, depths, curve.end.depth);
     return curve;
 }

@@ -46,12 +46,12 @@ QStringList meshEndings() {
     return listOf(meshFileEndings());
 }
 
-QString endingOf(const std::filesystem::path& file) {
+QString endingWithoutDot(const std::filesystem::path& file) {
     return QFileInfo(QString::fromStdString(file.string())).suffix().toLower();
 }
 
 bool isPhoto(const std::filesystem::path& file) {
-    return photoEndings().contains(endingOf(file));
+    return photoEndings().contains(endingWithoutDot(file));
 }
 
 std::filesystem::path toPath(const QString& file) {
@@ -135,7 +135,7 @@ bool FileController::mayLoseUnfinished() {
 }
 
 void FileController::openAny(const std::filesystem::path& file) {
-    const QString ending = endingOf(file);
+    const QString ending = endingWithoutDot(file);
     if (ending == QLatin1String("esm")) return openProject(file);
     if (isPhoto(file)) return m_photos.addPhotos({file});
     if (meshEndings().contains(ending)) return m_imports->importMesh(file);

@@ -5,6 +5,7 @@
 #include "app/editor/window/actions.h"
 #include "app/editor/workers/poke_film.h"
 #include "app/editor/workers/poke_scene.h"
+#include "core/support/letters.h"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ namespace {
 
 /// As a name's ending says.
 bool isFilm(const std::filesystem::path& file) {
-    return file.extension() == ".avi";
+    return endingOf(file) == ".avi";
 }
 
 } // namespace

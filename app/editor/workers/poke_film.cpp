@@ -81,17 +81,18 @@ void writePictures(const PokeFilm& film, const fs::path& start, const Progress& 
         if (!picture.save(QString::fromStdString(file.string()), "PNG"))
             throw FileError(file, "cannot be written: is there room on the disk, and may you write there?");
     }
+    reportProgress(progress, 1);
 }
 
-void encodeFilm(const fs::path& start, const fs::path& file, const Progress& progress) {
+void encodeFilm(const fs::path& start, std::size_t pictures, const fs::path& file, const Progress& progress) {
     const fs::path program = decoderProgram().parent_path() / "esm-film"; // installed beside each other
     if (!fs::exists(program))
         throw FileError(
             program, "is not there, without which no film can be made; install it, or save pictures (.png)");
     QProcess encoder;
     encoder.start(QString::fromStdString(program.string()),
-                  {QString::fromStdString(start.string()), QString::number(pokePicturesPerSecond),
-                   QString::fromStdString(file.string())});
+                  {QString::fromStdString(start.string()), QString::number(pictures),
+                   QString::number(pokePicturesPerSecond), QString::fromStdString(file.string())});
     while (encoder.state() != QProcess::NotRunning && !encoder.waitForFinished(encoderNews)) {
         if (!progress || progress(0)) continue;
         encoder.kill();
@@ -130,9 +131,10 @@ void writeFilm(const PokeFilm& film, const fs::path& file, const Progress& progr
     const fs::path encoded = fs::path(folder.path().toStdString()) / "film.avi";
     ProgressParts parts(progress);
     writePictures(film, pictures, parts.next(1 - encodingShare));
-    encodeFilm(pictures, encoded, parts.rest());
+    encodeFilm(pictures, pictureCount(film), encoded, parts.rest());
     const Bytes bytes = readFile(encoded);
     target.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    reportProgress(progress, 1);
     target.commit();
 }
 

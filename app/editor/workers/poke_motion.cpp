@@ -43,11 +43,14 @@ PokeMotion motionUnder(const Poke& poke, const Project& project, const Progress&
     return motion;
 }
 
-const PokePicture& pictureAt(const PokeMotion& motion, double time) {
+int pictureNumberAt(double time) {
     constexpr double rounding = 1e-6; // of a picture
-    const double place = std::floor(time * pokePicturesPerSecond + rounding);
-    const auto last = static_cast<double>(motion.pictures.size() - 1);
-    return motion.pictures[static_cast<std::size_t>(std::clamp(place, 0.0, last))];
+    return static_cast<int>(std::floor(time * pokePicturesPerSecond + rounding));
+}
+
+const PokePicture& pictureAt(const PokeMotion& motion, double time) {
+    const int last = static_cast<int>(motion.pictures.size()) - 1;
+    return motion.pictures[static_cast<std::size_t>(std::clamp(pictureNumberAt(time), 0, last))];
 }
 
 std::vector<Eigen::Vector3d> inDoubles(const std::vector<Eigen::Vector3f>& positions) {

@@ -30,7 +30,9 @@ inline constexpr int pokePicturesPerSecond = 30;
 /// @throws Cancelled
 PokeMotion motionUnder(const Poke& poke, const Project& project, const Progress& progress = {});
 
-/// The last picture at or before a time, s. Precondition: there are some.
+/// The number of the last picture at or before a time, s.
+int pictureNumberAt(double time);
+/// The same of a motion; the last one where it ends before. Precondition: it has some.
 const PokePicture& pictureAt(const PokeMotion& motion, double time);
 
 std::vector<Eigen::Vector3d> inDoubles(const std::vector<Eigen::Vector3f>& positions);

@@ -59,8 +59,8 @@ void PokeTest::stop() {
     const bool hasEnded = !m_preview.isRecording();
     const std::optional<Poke> poke = m_preview.endRecording();
     if (hasEnded)
-        m_motions.failure = tr("the recording ended because the organ was reset, moved in a scene or got "
-                               "other nodes: record again")
+        m_motions.failure = tr("the recording ended because the organ was reset or moved in a scene: record "
+                               "again")
                                 .toStdString();
     else if (!poke || !touches(*poke))
         m_motions.failure =
@@ -72,6 +72,7 @@ void PokeTest::stop() {
 
 void PokeTest::takePoke(const Poke& poke) {
     m_poke = poke;
+    m_pokedMesh = m_document.project().mesh;
     m_motions.latest.reset();
     if (!m_motions.isKept) m_motions.former.reset();
     fitPlayer();
@@ -151,10 +152,16 @@ void PokeTest::forgetFormer() {
 
 /// Another net of the same surface is still the organ that was poked.
 void PokeTest::followDocument(const Change& change) {
-    if (m_motions.latest && m_motions.latest->project.mesh != m_document.project().mesh) return forget();
-    if (m_poke && !m_motions.latest && change.mesh) return forget();
+    const bool interrupts = change.mesh && isRecording();
+    if (m_poke && m_pokedMesh != m_document.project().mesh) forget();
     if (m_motions.latest) m_motions.isOutdated = !movesAlike(m_motions.latest->project, m_document.project());
-    if (change.mesh && isRecording()) stop();
+    if (interrupts) {
+        m_recording.stop();
+        m_preview.endRecording();
+        m_motions.failure =
+            tr("the recording ended because the organ got another shape or other nodes: record again")
+                .toStdString();
+    }
     fitPlayer();
     emit changed();
 }

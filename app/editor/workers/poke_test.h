@@ -79,6 +79,7 @@ private:
     Document& m_document;
     Preview& m_preview;
     std::optional<Poke> m_poke;
+    std::shared_ptr<const TriangleMesh> m_pokedMesh; ///< the surface of the organ that was poked
     Compared<PokeMotion> m_motions;
     bool m_isComputing = false;
     int m_asked = 0; ///< the number of the question that is being answered

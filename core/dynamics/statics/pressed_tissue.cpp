@@ -83,6 +83,9 @@ void PressedTissue::touch() {
         m_contacts.find(centre(m_depth), m_motion.positions, closeness * m_indenter.radius);
         way *= 2;
     }
+    if (m_contacts.pushes(centre(m_depth), m_motion.positions) <= 0)
+        throw InvalidModel("the tissue has slipped away from under the finger: choose another place, or a "
+                           "smaller force");
 }
 
 /// Begins the search for balance where tissue should come to if it goes on as before, unless that is worse.

@@ -127,6 +127,7 @@ double SphereContacts::energy(const Vector3d& centre, const Vectors& positions) 
     double sum = 0;
     for (const Near& near : m_near) {
         const double push = standing(near, centre, positions).push;
+        if (push <= 0 && near.push <= 0) continue; // as of what nothing holds, which has no hardness
         sum += 0.5 * (push * push - near.push * near.push) / near.hardness;
     }
     return sum;

@@ -48,6 +48,16 @@ double mostOf(const std::vector<DrawnCurve>& curves, double Drawing::Place::*val
     return most;
 }
 
+/// Of letters that every drawing can show, and no longer than there is room: names come of files.
+std::string shownName(const std::string& name) {
+    constexpr std::size_t most = 20;
+    std::string shown;
+    for (const char letter : name)
+        if ((letter & 0xc0) != 0x80) // else a further byte of one letter
+            shown += letter >= ' ' && letter <= '~' ? letter : '?';
+    return shown.size() <= most ? shown : shown.substr(0, most - 3) + "...";
+}
+
 class CurveDrawing {
 public:
     explicit CurveDrawing(const std::vector<DrawnCurve>& curves)
@@ -83,25 +93,27 @@ public:
         }
     }
 
-    /// A row of the names. They stand at the left, which rising curves leave free, or at the right.
-    void drawName(const std::string& name, std::size_t row, bool isAtRight, const Drawing::Colour& colour) {
+    /// The next row of the names, and beneath it what its mark means: marks may lie close together. They
+    /// stand at the left, which rising curves leave free, or at the right.
+    void drawName(const DrawnCurve& curve, bool isAtRight, const Drawing::Colour& colour) {
         const double x = isAtRight ? curvesRight - legendWidth : curvesLeft + 20;
-        const double y = curvesTop + textHeight * (static_cast<double>(row) + 1);
-        drawing.dots.push_back({{x, y - 4}, 4, colour});
-        drawing.labels.push_back({{x + 12, y}, name});
+        drawing.dots.push_back({{x, nextRow() - 4}, 4, colour});
+        drawing.labels.push_back({{x + 12, m_row}, shownName(curve.name)});
+        if (curve.mark) drawing.labels.push_back({{x + 12, nextRow()}, curve.mark->text});
     }
 
-    /// The text stands above the chart, where no curve is.
     void drawMark(const DrawnMark& mark, const Drawing::Colour& colour) {
         const double x = m_x(mark.x);
         drawing.lines.push_back({{x, curvesTop}, {x, curvesBottom}, colour});
-        drawing.labels.push_back({{x, curvesTop - 4}, mark.text, Drawing::Anchor::Middle});
     }
 
     Drawing drawing{curvesWidth, curvesHeight, {}, {}, {}};
 
 private:
+    double nextRow() { return m_row += textHeight; }
+
     LinearAxis m_x, m_y;
+    double m_row = curvesTop; ///< pixels, of the last text in the names
 };
 
 /// Whether a curve is higher in its first half than at its end.
@@ -123,7 +135,7 @@ Drawing curveDrawing(const CurveAxes& axes, const std::vector<DrawnCurve>& curve
         const Drawing::Colour& colour = curveColours.at(i % curveColours.size());
         chart.drawCurve(curves[i], colour);
         if (curves[i].mark) chart.drawMark(*curves[i].mark, colour);
-        chart.drawName(curves[i].name, i, isFalling, colour);
+        chart.drawName(curves[i], isFalling, colour);
     }
     return chart.drawing;
 }

@@ -14,7 +14,7 @@ struct DrawnMark {
 
 /// What a curve is called, and where it goes, in the units of the axes.
 struct DrawnCurve {
-    std::string name; ///< ASCII
+    std::string name; ///< of which letters beyond ASCII are not shown, and no more than 20
     std::vector<Drawing::Place> points;
     std::optional<DrawnMark> mark;
 };

@@ -10,7 +10,7 @@ namespace esm {
 
 /// What a finger measured, under the name that the chart calls it by.
 struct NamedPress {
-    std::string name; ///< ASCII
+    std::string name;
     std::vector<PressPoint> curve;
 };
 

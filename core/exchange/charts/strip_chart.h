@@ -10,7 +10,7 @@ namespace esm {
 
 /// What a strip told, under the name that the chart calls it by.
 struct NamedStrip {
-    std::string name; ///< ASCII
+    std::string name;
     std::vector<StripPoint> curve;
 };
 

@@ -10,7 +10,7 @@ namespace esm {
 
 /// What followed a finger in time, under the name that the chart calls it by.
 struct NamedTimeCurve {
-    std::string name; ///< ASCII
+    std::string name;
     TimeCurve curve;
 };
 

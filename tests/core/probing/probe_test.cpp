@@ -80,8 +80,13 @@ TEST(Probe, DentsAHollowBallDeeperThanItsWallIsThick) {
     settings.steps = 2;
     const ProbeResult dented = probe({model, surface}, settings);
     EXPECT_GT(dented.curve.back().force, dented.curve[1].force);
-    settings.depth = 2 * radius; // beyond the wall on the other side
-    EXPECT_THROW(probe({model, surface}, settings), InvalidModel);
+    settings.depth = 2 * radius - 1.5 * wall; // the inner side would meet the other wall
+    try {
+        probe({model, surface}, settings);
+        FAIL();
+    } catch (const InvalidModel& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("one side through the other"));
+    }
 }
 
 TEST(Probe, TellsTheModulusThatHertzGives) {
@@ -172,6 +177,8 @@ TEST_F(TriangleProbe, RefusesWhatIsNoTest) {
     wrong = right;
     wrong.creep = CreepTest{0, 1};
     refused(wrong, "creep");
+    wrong.creep = CreepTest{1, 1e-300};
+    refused(wrong, "0.000001 s");
 }
 
 TEST_F(TriangleProbe, RefusesWhatCannotBePressed) {
@@ -241,6 +248,39 @@ TEST(Probe, FindsABallFirmerTheStifferItsFluid) {
         EXPECT_GT(force, before) << stiffness;
         before = force;
     }
+}
+
+/// Tissue without stiffness is as good as fixed, and what lies beside it is pressed all the same.
+TEST(Probe, PressesBesideTissueWithoutStiffness) {
+    const TriangleMesh ball = tissue::sphereMesh(3, 0.05);
+    TissueModel model = tissue::fromMesh(ball, {20, 1, 1e-3});
+    for (std::uint32_t node = 0; node < ball.vertices.size(); ++node) {
+        if (ball.vertices[node].x() > 0.02)
+            model.springConstant[node] = 0;
+        else
+            model.tethers.push_back({node, 4, 0.2});
+    }
+    ProbeSettings settings;
+    settings.place = {0, 0, 0.05};
+    settings.radius = 0.025;
+    settings.depth = 0.002;
+    settings.steps = 2;
+    EXPECT_GT(probe({model, TouchedSurface(ball.triangles)}, settings).curve.back().force, 0);
+}
+
+TEST(Probe, TellsOfFixedNodesThatTheFingerMeets) {
+    FilledBlock block = filledBlock(LatticeKind::BodyCentred, 0.005);
+    ProbeSettings settings;
+    settings.place = Vector3d::Zero();
+    settings.radius = fingerRadius;
+    settings.depth = pressedDepth / 2;
+    settings.steps = 2;
+    EXPECT_FALSE(probe({block.model, block.surface}, settings).meetsFixed);
+    const auto& nodes = block.model.network->restPositions;
+    for (std::uint32_t node = 0; node < nodes.size(); ++node)
+        if (nodes[node].x() > 0.006 && nodes[node].z() > -1e-6) block.model.fixedNodes.push_back(node);
+    std::sort(block.model.fixedNodes.begin(), block.model.fixedNodes.end());
+    EXPECT_TRUE(probe({block.model, block.surface}, settings).meetsFixed);
 }
 
 TEST(Probe, RefusesAnOrganThatStandsUnderAPressure) {

@@ -28,7 +28,7 @@ std::optional<ChartMark> markAt(const std::optional<double>& time, const TimeCur
 /// Under the names that stand beside what is measured.
 template<typename Named, typename Of> std::vector<Named> named(const VirtualTest& test, const Of& of) {
     std::vector<Named> all{{"now", of(*test.latest())}};
-    if (test.former()) all.push_back({"before", of(*test.former())});
+    if (test.former() && test.former() != test.latest()) all.push_back({"before", of(*test.former())});
     return all;
 }
 

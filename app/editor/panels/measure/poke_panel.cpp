@@ -143,8 +143,8 @@ void PokePanel::showNews() {
     m_news->setProgress(isComputing ? std::optional(m_test.progress()) : std::nullopt);
     const QString failure = isComputing ? QString() : sentence(m_test.failure());
     const bool endsEarly = m_test.latest() && !m_test.latest()->failure.empty();
-    m_news->say(failure.isEmpty() ? remark() : failure,
-                !failure.isEmpty() || m_test.isOutdated() || endsEarly);
+    const bool warns = !failure.isEmpty() || m_test.isOutdated() || endsEarly;
+    m_news->say(failure.isEmpty() ? remark() : failure, warns && !m_test.isRecording());
 }
 
 /// What else should be known, the most needed first.

@@ -146,7 +146,7 @@ void PokeView::showMoment() {
     const QSignalBlocker blocker(m_moment);
     m_moment->setMaximum(qRound(player.duration() * pokePicturesPerSecond));
     m_moment->setScale(0, player.duration());
-    m_moment->setValue(static_cast<int>(player.time() * pokePicturesPerSecond));
+    m_moment->setValue(pictureNumberAt(player.time()));
     m_time->setText(
         canShow ? tr("%1 of %2 s").arg(decimalText(player.time(), 2), decimalText(player.duration(), 2))
                 : QString());

@@ -48,7 +48,7 @@ void WorkNews::showPage() {
 }
 
 void WorkNews::say(const QString& text, bool warns) {
-    if (text == m_message->text()) return;
+    if (text == m_message->text() && warns == m_message->property("warning").toBool()) return;
     m_message->setText(text);
     m_message->setProperty("warning", warns);
     m_message->setProperty("quiet", !warns);

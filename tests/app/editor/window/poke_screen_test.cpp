@@ -148,6 +148,10 @@ TEST_F(PokeScreenTest, FilmTableAndChartAreWrittenWhereTheUserSays) {
     button("saveFilm").click();
     EXPECT_TRUE(dialogs.isDone());
     EXPECT_GT(std::filesystem::file_size(folder / "poke.avi"), 10000U);
+    dialogs.expectFile(folder / "POKE.AVI");
+    button("saveFilm").click();
+    EXPECT_EQ(std::filesystem::file_size(folder / "POKE.AVI"),
+              std::filesystem::file_size(folder / "poke.avi"));
     dialogs.expectFile(folder / "poke.csv");
     button("savePokeTable").click();
     dialogs.expectFile(folder / "poke.png");

@@ -23,6 +23,11 @@ Project firmer(Project project) {
 
 } // namespace
 
+TEST(PokeMotion, EveryPictureIsFoundAtItsTime) {
+    for (int number = 0; number < 30 * pokePicturesPerSecond; ++number)
+        EXPECT_EQ(pictureNumberAt(static_cast<double>(number) / pokePicturesPerSecond), number);
+}
+
 TEST(Poke, WhatActsLastsUntilTheNextMoment) {
     Poke poke;
     poke.moments = {{0.1, {Pull{1, {0, 0, 1}}, {}, false}}, {0.3, {}}};

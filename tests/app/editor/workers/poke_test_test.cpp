@@ -93,6 +93,22 @@ TEST_F(PokeTestTest, ARecordingThatIsResetEndsWithAWord) {
     EXPECT_FALSE(test.poke());
 }
 
+TEST_F(PokeTestTest, AnotherNetWhileItIsRecordedEndsItWithAWord) {
+    poke();
+    const PokeTest::Motion motion = test.latest();
+    test.record();
+    ESM_EVENTUALLY(test.recordedTime() > 0.1);
+    preview.setPull(Pull{40, document.project().network->restPositions[40] + Eigen::Vector3d(0.02, 0, 0)});
+    ESM_EVENTUALLY(preview.status().pull.has_value());
+    document.edit("fewer", [](Project& project) {
+        project = withDetail(project, {Detail::Kind::Nodes, 300});
+    });
+    EXPECT_FALSE(test.isRecording());
+    EXPECT_FALSE(preview.isRecording());
+    EXPECT_EQ(test.latest(), motion);
+    EXPECT_THAT(test.failure(), testing::HasSubstr("other nodes"));
+}
+
 TEST_F(PokeTestTest, AnotherNetOfTheOrganIsComparedToo) {
     poke();
     const PokeTest::Motion fine = test.latest();

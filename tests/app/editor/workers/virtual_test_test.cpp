@@ -72,6 +72,18 @@ TEST_F(VirtualTestTest, AnotherTissueIsComparedWithTheOneBefore) {
     EXPECT_FALSE(test.former()) << "another place says nothing of the tissue";
 }
 
+TEST_F(VirtualTestTest, AnotherFluidWithinIsAnotherOrgan) {
+    test.choosePlace(placeIn(5));
+    const auto fill = [&](double stiffness) {
+        document.edit("fill", [&](Project& project) { project.scene.fillings = {{0, stiffness}}; });
+    };
+    fill(1000);
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    fill(2000);
+    ESM_EVENTUALLY(test.isOutdated());
+}
+
 TEST_F(VirtualTestTest, WhatIsKeptStaysWhateverIsMeasured) {
     test.choosePlace(placeIn(5));
     measure();

@@ -37,6 +37,17 @@ TEST(PressChart, HasAxesWithoutAForceToo) {
     EXPECT_LT(chart.lines.size(), 50U);
 }
 
+TEST(PressChart, ShortensNamesOfFiles) {
+    const Drawing chart =
+        pressChart({{"Öffnung der Gallenblase, zweite", {{0, 0}, {0.002, 0.1}}}, {"a\nb", {}}});
+    const auto isNamed = [&](const std::string& name) {
+        return std::any_of(chart.labels.begin(), chart.labels.end(),
+                           [&](const Drawing::Label& label) { return label.text == name; });
+    };
+    EXPECT_TRUE(isNamed("?ffnung der Galle..."));
+    EXPECT_TRUE(isNamed("a?b"));
+}
+
 TEST(PressCsv, HasALineForEachPoint) {
     EXPECT_EQ(pressCsv(presses), "name,depth_m,force_n\nbefore,0,0\nbefore,0.002,0.1\nbefore,0.004,0.3\n"
                                  "after,0,0\nafter,0.004,0.12\n");

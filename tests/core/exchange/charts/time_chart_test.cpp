@@ -44,6 +44,15 @@ TEST(TimeChart, DrawsTheForceFromWhenTheFingerStands) {
     EXPECT_GT(labelOf(chart, "now").place.x, chart.width / 2) << "away from a curve that falls";
 }
 
+TEST(TimeChart, MarksThatLieCloseTogetherAreBothRead) {
+    NamedTimeCurve other = fading;
+    other.name = "before";
+    other.curve.timeConstant = 0.21;
+    const Drawing chart = relaxationChart({fading, other});
+    EXPECT_GT(labelOf(chart, "time constant 0.21 s").place.y - labelOf(chart, "time constant 0.2 s").place.y,
+              15);
+}
+
 TEST(TimeChart, DrawsTheDepthUnderAForce) {
     const Drawing chart = creepChart({sinking});
     expectWithin(chart);
