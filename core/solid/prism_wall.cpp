@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 
@@ -103,12 +104,20 @@ PrismWall prismWall(const TriangleMesh& mesh, const LatticeFilling& filling, con
     return wall;
 }
 
-std::vector<double> wallThicknesses(const std::vector<Vector3d>& nodes, int layers) {
-    const std::size_t places = nodes.size() / static_cast<std::size_t>(layers + 1);
-    std::vector<double> thicknesses;
-    for (std::size_t i = 0; i < places; ++i)
-        thicknesses.push_back((nodes[i] - nodes[nodes.size() - places + i]).norm());
-    return thicknesses;
+WallFit wallFitOf(const std::vector<Vector3d>& nodes, const Lattice& wall, std::size_t triangles) {
+    const auto layers = static_cast<std::size_t>(wall.filling.layers);
+    const std::size_t places = nodes.size() / (layers + 1), prisms = wall.tetrahedra.size() / (3 * layers);
+    WallFit fit{places, 0, std::numeric_limits<double>::infinity(), triangles - prisms};
+    for (std::size_t i = 0; i < places; ++i) {
+        const double thickness = (nodes[i] - nodes[nodes.size() - places + i]).norm();
+        fit.least = std::min(fit.least, thickness);
+        if (thickness < 0.99 * wall.filling.wallThickness) ++fit.thinner;
+    }
+    return fit;
+}
+
+bool isOftenThinner(const WallFit& fit) {
+    return 10 * fit.thinner > fit.places;
 }
 
 } // namespace esm
