@@ -36,4 +36,12 @@ void addWall(Report& report, const SpringNetwork& network, std::size_t triangles
                           counted(fit.leftOut, "triangle"));
 }
 
+std::string thinWallWarning(const SpringNetwork& network, std::size_t triangles) {
+    if (!network.lattice || !isWall(network.lattice->filling)) return {};
+    const WallFit fit = wallFitOf(network.restPositions, *network.lattice, triangles);
+    if (!isOftenThinner(fit)) return {};
+    return std::to_string(fit.thinner) + " of " + std::to_string(fit.places) +
+           " vertices have a thinner wall than asked for, down to " + inText(1000 * fit.least) + " mm";
+}
+
 } // namespace esm

@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/inside_texts.h"
 
 #include "app/editor/dialogs/body_work.h"
+#include "app/editor/dialogs/thin_wall_text.h"
 #include "core/project/wall.h"
 #include "core/solid/prism_wall.h"
 #include "widgets/inputs/number_text.h"
@@ -29,10 +30,7 @@ QString workText(LatticeKind kind, double nodes, std::size_t vertices) {
 
 QString thinnerText(const WallFit& fit) {
     QString text;
-    if (fit.thinner > 0)
-        text = QObject::tr("At %1 of %2 vertices there is no room for that: the wall is thinner there, %3 mm "
-                           "at the least.")
-                   .arg(countText(fit.thinner), countText(fit.places), numberText(1000 * fit.least, 2));
+    if (fit.thinner > 0) text = QObject::tr("There is not room for that everywhere: ") + thinWallText(fit);
     if (fit.leftOut == 1) text += QObject::tr(" Under 1 triangle there is none.");
     if (fit.leftOut > 1)
         text += QObject::tr(" Under %1 triangles there is none.").arg(countText(fit.leftOut));

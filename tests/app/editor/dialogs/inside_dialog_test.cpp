@@ -117,7 +117,7 @@ TEST(InsideDialog, SaysWhereAWallHasNoRoom) {
     shown.choose("hollow, with a wall of prisms");
     shown.type("38", "insideThickness");
     ESM_EVENTUALLY(shown.mayFill());
-    EXPECT_TRUE(shown.text("insideRefusal").contains("vertices there is no room for that"))
+    EXPECT_TRUE(shown.text("insideRefusal").contains("vertices have a thinner wall than asked for"))
         << shown.text("insideRefusal").toStdString();
     shown.type("100", "insideThickness");
     ESM_EVENTUALLY(shown.text("insideRefusal").contains("A wall of 100 mm is too thick"));
