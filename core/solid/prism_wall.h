@@ -18,8 +18,13 @@ struct PrismWall {
     double leastThickness = 0; ///< m
 };
 
+/// Mean length of the triangles' sides; 0 where there is no triangle.
+double meanEdgeOf(const TriangleMesh& mesh);
+
 /// Two, with which a wall bends as it should, or so many more that none is thicker than three quarters of the
 /// triangles' sides: taller prisms give way to stretching.
+/// @param meanEdge of the surface, m; 0 where it has none
+int usualLayers(double meanEdge, double wallThickness);
 int usualLayers(const TriangleMesh& mesh, double wallThickness);
 
 /// Puts a wall beneath a surface, closed or open, of one part or several. Along the surface it is as stiff as

@@ -4,8 +4,8 @@
 #include "app/editor/dialogs/inside_texts.h"
 #include "app/editor/dialogs/preview_background.h"
 #include "app/editor/dialogs/sentence.h"
+#include "app/editor/dialogs/wall_format.h"
 #include "core/project/detail_change.h"
-#include "core/project/wall.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
 #include "core/solid/prism_wall.h"
@@ -40,12 +40,6 @@ NumberFormat spacingFormat() {
     return format;
 }
 
-NumberFormat thicknessFormat() {
-    NumberFormat format = spacingFormat();
-    format.maximum = thickestWall;
-    return format;
-}
-
 NumberFormat layersFormat() {
     NumberFormat format;
     format.decimals = 0;
@@ -60,9 +54,10 @@ NumberFormat layersFormat() {
 InsideDialog::InsideDialog(const Project& project, QWidget* parent)
     : QDialog(parent), m_project(project), m_finder(project.mesh, this), m_view(new OrganView(this)),
       m_kind(new QComboBox(this)), m_spacing(new NumberField(spacingFormat(), this)),
-      m_thickness(new NumberField(thicknessFormat(), this)), m_layers(new NumberField(layersFormat(), this)),
-      m_about(wrapped("insideAbout", 3, this)), m_cost(wrapped("insideCounts", 4, this)),
-      m_firmness(wrapped("insideFirmness", 4, this)), m_refusal(wrapped("insideRefusal", 6, this)) {
+      m_thickness(new NumberField(wallThicknessFormat(), this)),
+      m_layers(new NumberField(layersFormat(), this)), m_about(wrapped("insideAbout", 3, this)),
+      m_cost(wrapped("insideCounts", 4, this)), m_firmness(wrapped("insideFirmness", 4, this)),
+      m_refusal(wrapped("insideRefusal", 6, this)) {
     setWindowTitle(tr("Inside of the organ"));
     setObjectName(QStringLiteral("insideDialog"));
     m_view->setAccessibleName(tr("The organ, cut open"));
