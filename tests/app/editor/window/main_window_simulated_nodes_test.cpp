@@ -2,6 +2,7 @@
 #include "app/editor/workers/preview.h"
 #include "app/editor/workers/preview_loads.h"
 #include "core/authoring/fluids.h"
+#include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/solid_surfaces.h"
@@ -158,6 +159,15 @@ TEST_F(SimulatedNodesTest, OfAWallOfPrismsAreThoseOfItsSurface) {
     window->document().undoStack()->undo();
     EXPECT_EQ(project().network->restPositions.size(), hollow);
     EXPECT_TRUE(chooseDetail->isEnabled());
+}
+
+TEST_F(SimulatedNodesTest, SayWhereAWallIsOftenThinnerThanAskedFor) {
+    const Detail thick{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.038, 2}};
+    open(withDetail(makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}}), thick));
+    const auto* inside = child<QLabel>("modelInside");
+    EXPECT_EQ(inside->text(), "wall, up to 38 mm");
+    EXPECT_TRUE(inside->toolTip().contains("have a thinner wall than asked for"))
+        << inside->toolTip().toStdString();
 }
 
 TEST_F(SimulatedNodesTest, AskBeforeALatticeTakesTheRoomOfAFluid) {
