@@ -2,8 +2,6 @@
 
 #include "core/solid/prism_wall.h"
 
-#include <algorithm>
-
 namespace esm {
 
 void addFilling(Json& json, const LatticeFilling& filling) {
@@ -24,25 +22,26 @@ std::string fillingText(const LatticeFilling& filling) {
 }
 
 void addWall(Report& report, const SpringNetwork& network, std::size_t triangles) {
-    const LatticeFilling& filling = network.lattice->filling;
-    const std::vector<double> thicknesses = wallThicknesses(network.restPositions, filling.layers);
-    const auto shortened =
-        static_cast<std::size_t>(std::count_if(thicknesses.begin(), thicknesses.end(), [&](double thickness) {
-            return thickness < 0.99 * filling.wallThickness;
-        }));
-    const double least = *std::min_element(thicknesses.begin(), thicknesses.end());
+    const WallFit fit = wallFitOf(network.restPositions, *network.lattice, triangles);
     double volume = 0;
     for (const Tetrahedron& tetrahedron : network.lattice->tetrahedra)
         volume += volumeOf(tetrahedron, network.restPositions);
-    const std::size_t prisms =
-        network.lattice->tetrahedra.size() / (3 * static_cast<std::size_t>(filling.layers));
-    const std::size_t leftOut = triangles - prisms;
-    report.json["wall"] = {
-        {"volume", volume}, {"shortened", shortened}, {"least_thickness", least}, {"left_out", leftOut}};
+    report.json["wall"] = {{"volume", volume},
+                           {"shortened", fit.thinner},
+                           {"least_thickness", fit.least},
+                           {"left_out", fit.leftOut}};
     report.text.push_back("wall: " + inText(1e6 * volume) + " ml; thinner than asked for at " +
-                          counted(shortened, "vertex", "vertices") + " of " +
-                          std::to_string(thicknesses.size()) + ", " + inText(1000 * least) +
-                          " mm at the least; left out under " + counted(leftOut, "triangle"));
+                          counted(fit.thinner, "vertex", "vertices") + " of " + std::to_string(fit.places) +
+                          ", " + inText(1000 * fit.least) + " mm at the least; left out under " +
+                          counted(fit.leftOut, "triangle"));
+}
+
+std::string thinWallWarning(const SpringNetwork& network, std::size_t triangles) {
+    if (!network.lattice || !isWall(network.lattice->filling)) return {};
+    const WallFit fit = wallFitOf(network.restPositions, *network.lattice, triangles);
+    if (!isOftenThinner(fit)) return {};
+    return std::to_string(fit.thinner) + " of " + std::to_string(fit.places) +
+           " vertices have a thinner wall than asked for, down to " + inText(1000 * fit.least) + " mm";
 }
 
 } // namespace esm

@@ -17,8 +17,11 @@ std::string fillingText(const LatticeFilling& filling);
 /// for (`shortened`), and how thick it is where it is thinnest (`least_thickness`, m), and under how many
 /// triangles there is none (`left_out`).
 /// @param triangles of the drawn surface
-/// Precondition: the
-/// network has one.
+/// Precondition: the network has one.
 void addWall(Report& report, const SpringNetwork& network, std::size_t triangles);
+
+/// That a wall is often thinner than asked for; empty where it is not, and of what is no wall.
+/// @param triangles as above
+std::string thinWallWarning(const SpringNetwork& network, std::size_t triangles);
 
 } // namespace esm

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace esm {
 
@@ -137,7 +138,10 @@ Report reportOf(const TriangleMesh& mesh, const TissueModel& tissue, const Repai
     report.json["mass"] = totalMass(tissue);
     report.text.push_back("size " + inText(size) + " m; centre " + inText(centre) + " m; mass " +
                           inText(totalMass(tissue)) + " kg");
-    addWarnings(report, repairs.warnings);
+    std::vector<std::string> warnings = repairs.warnings;
+    if (std::string thin = thinWallWarning(network, mesh.triangles.size()); !thin.empty())
+        warnings.push_back(std::move(thin));
+    addWarnings(report, warnings);
     return report;
 }
 

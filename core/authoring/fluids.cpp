@@ -1,6 +1,7 @@
 #include "core/authoring/fluids.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/model/scene_cavities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,7 @@ std::vector<FillablePart> fillableParts(const TriangleMesh& mesh, const SpringNe
 
 std::string whyNoFluid(const Project& project) {
     if (project.mesh->triangles.empty()) return "this model has no surface that could hold a fluid";
-    if (project.network->lattice) return "a lattice fills this organ, and leaves no room for a fluid";
+    if (std::string why = whyNoRoom(*project.network); !why.empty()) return why;
     if (detailOf(*project.network).kind == Detail::Kind::Rigid)
         return "this organ moves as one stiff piece, whose volume never changes";
     return {};

@@ -21,10 +21,8 @@ public:
         const auto isNamed = [&](const Cavity& cavity) { return cavity.part == part; };
         const auto known = std::find_if(m_cavities.begin(), m_cavities.end(), isNamed);
         if (known != m_cavities.end()) return *known;
-        if (m_network.lattice)
-            throw InvalidModel(
-                entry + ": a lattice fills this organ, and leaves no room for a fluid; make it hollow, "
-                        "or leave the fluid out");
+        if (const std::string why = whyNoRoom(m_network); !why.empty())
+            throw InvalidModel(entry + ": " + why + "; make it hollow, or leave the fluid out");
         try {
             return m_cavities.emplace_back(cavityOf(m_network.restPositions, m_surface, part));
         } catch (const InvalidModel& problem) {
@@ -67,6 +65,13 @@ const PartPressure* pressureOf(const Scene& scene, std::uint32_t part) {
 void removeFluids(Scene& scene) {
     scene.fillings.clear();
     scene.pressures.clear();
+}
+
+std::string whyNoRoom(const SpringNetwork& network) {
+    if (!network.lattice) return {};
+    // Its surface has two sides, of which the inner one turns its back to what it encloses.
+    if (isWall(network.lattice->filling)) return "within a wall of prisms a fluid is not computed yet";
+    return "a lattice fills this organ, and leaves no room for a fluid";
 }
 
 std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,

@@ -16,10 +16,13 @@ const PartPressure* pressureOf(const Scene& scene, std::uint32_t part);
 /// All of them, and every pressure from within.
 void removeFluids(Scene& scene);
 
+/// Why what fills an organ leaves no room for a fluid; of a hollow one, nothing.
+std::string whyNoRoom(const SpringNetwork& network);
+
 /// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
 /// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.
 /// @throws InvalidModel under the scene's entry, where a part is none that holds a fluid: see cavityOf();
-/// where a lattice fills the organ
+/// where `whyNoRoom()` says why
 std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,
                                const std::vector<Triangle>& surface);
 

@@ -1,5 +1,6 @@
 #include "core/model/tissue_model.h"
 
+#include "core/model/scene_cavities.h"
 #include "core/support/numbers.h"
 #include "core/support/offenders.h"
 
@@ -132,10 +133,9 @@ void checkCavities(Problems& problems, const TissueModel& model) {
                         isSame))
             problems.push_back("part " + std::to_string(cavity.part) + " of the surface is filled twice");
     }
-    if (!model.cavities.empty() && model.network->lattice)
-        problems.emplace_back(
-            "an organ that is filled with a lattice has no room for a fluid: take its inside out, "
-            "or the fluid");
+    const std::string noRoom = whyNoRoom(*model.network);
+    if (!model.cavities.empty() && !noRoom.empty())
+        problems.push_back(noRoom + ": take its inside out, or the fluid");
 }
 
 } // namespace

@@ -179,9 +179,8 @@ void keepFluids(Scene& scene, const Project& before, const Project& after) {
 void requireRoomForFluids(const Project& project) {
     const std::vector<std::uint32_t> parts = fluidParts(project.scene);
     if (parts.empty()) return;
-    if (project.network->lattice)
-        throw InvalidModel("a lattice fills the body, and leaves no room for a fluid; take the fluid out "
-                           "of it first, or keep it hollow");
+    if (const std::string why = whyNoRoom(*project.network); !why.empty())
+        throw InvalidModel(why + "; take the fluid out of the organ first, or keep it hollow");
     const std::vector<Triangle> surface = simulatedSurface(*project.mesh, *project.network);
     try {
         for (const std::uint32_t part : parts)

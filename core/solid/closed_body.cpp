@@ -23,8 +23,9 @@ void refuseOpen(const TriangleMesh& mesh, const EdgeCounts& edges) {
         if (!borders.empty())
             message += " in " + std::to_string(borders.size()) + " borders, the longest of " +
                        std::to_string(borders.front().loop.size()) + " edges";
-        throw InvalidModel(message + "; close slits and fill holes at import, or keep the organ hollow, as a "
-                                     "wall");
+        throw InvalidModel(message +
+                           "; close slits and fill holes at import, or give the organ a wall of prisms, "
+                           "which may be open");
     }
     if (edges.inconsistent > 0)
         throw InvalidModel(

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 
@@ -51,7 +52,10 @@ void refuseTooManyNodes(double nodes) {
             " million are the most: choose fewer layers or make the surface coarser at import");
 }
 
-double meanEdge(const TriangleMesh& mesh) {
+} // namespace
+
+double meanEdgeOf(const TriangleMesh& mesh) {
+    if (mesh.triangles.empty()) return 0;
     double sum = 0;
     for (const Triangle& triangle : mesh.triangles)
         for (std::size_t i = 0; i < 3; ++i)
@@ -59,13 +63,17 @@ double meanEdge(const TriangleMesh& mesh) {
     return sum / (3 * static_cast<double>(mesh.triangles.size()));
 }
 
-} // namespace
-
-int usualLayers(const TriangleMesh& mesh, double wallThickness) {
-    if (mesh.triangles.empty() || !isPositive(wallThickness)) return 2;
+// Of one layer a wall bends three times as stiffly as it should, and of layers much taller than triangles are
+// wide the diagonals lie along it so little that it gives way (docs/prism-walls.md).
+int usualLayers(double meanEdge, double wallThickness) {
+    if (!isPositive(meanEdge) || !isPositive(wallThickness)) return 2;
     constexpr double tallest = 0.75; // of a prism, over the mean edge
     return static_cast<int>(
-        std::clamp(std::ceil(wallThickness / (tallest * meanEdge(mesh))), 2.0, double{mostWallLayers}));
+        std::clamp(std::ceil(wallThickness / (tallest * meanEdge)), 2.0, double{mostWallLayers}));
+}
+
+int usualLayers(const TriangleMesh& mesh, double wallThickness) {
+    return usualLayers(meanEdgeOf(mesh), wallThickness);
 }
 
 LatticeEstimate estimateWall(const TriangleMesh& mesh, const LatticeFilling& filling) {
@@ -103,12 +111,21 @@ PrismWall prismWall(const TriangleMesh& mesh, const LatticeFilling& filling, con
     return wall;
 }
 
-std::vector<double> wallThicknesses(const std::vector<Vector3d>& nodes, int layers) {
-    const std::size_t places = nodes.size() / static_cast<std::size_t>(layers + 1);
-    std::vector<double> thicknesses;
-    for (std::size_t i = 0; i < places; ++i)
-        thicknesses.push_back((nodes[i] - nodes[nodes.size() - places + i]).norm());
-    return thicknesses;
+// Files keep the nodes of a wall and what was asked for, not how it came out: it is measured again from them.
+WallFit wallFitOf(const std::vector<Vector3d>& nodes, const Lattice& wall, std::size_t triangles) {
+    const auto layers = static_cast<std::size_t>(wall.filling.layers);
+    const std::size_t places = nodes.size() / (layers + 1), prisms = wall.tetrahedra.size() / (3 * layers);
+    WallFit fit{places, 0, std::numeric_limits<double>::infinity(), triangles - prisms};
+    for (std::size_t i = 0; i < places; ++i) {
+        const double thickness = (nodes[i] - nodes[nodes.size() - places + i]).norm();
+        fit.least = std::min(fit.least, thickness);
+        if (thickness < 0.99 * wall.filling.wallThickness) ++fit.thinner;
+    }
+    return fit;
+}
+
+bool isOftenThinner(const WallFit& fit) {
+    return 10 * fit.thinner > fit.places;
 }
 
 } // namespace esm

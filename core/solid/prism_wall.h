@@ -18,8 +18,13 @@ struct PrismWall {
     double leastThickness = 0; ///< m
 };
 
+/// Mean length of the triangles' sides; 0 where there is no triangle.
+double meanEdgeOf(const TriangleMesh& mesh);
+
 /// Two, with which a wall bends as it should, or so many more that none is thicker than three quarters of the
 /// triangles' sides: taller prisms give way to stretching.
+/// @param meanEdge of the surface, m; 0 where it has none
+int usualLayers(double meanEdge, double wallThickness);
 int usualLayers(const TriangleMesh& mesh, double wallThickness);
 
 /// Puts a wall beneath a surface, closed or open, of one part or several. Along the surface it is as stiff as
@@ -34,7 +39,19 @@ PrismWall prismWall(const TriangleMesh& mesh, const LatticeFilling& filling, con
 /// @throws InvalidModel for a thickness that is no positive number, or no surface
 LatticeEstimate estimateWall(const TriangleMesh& mesh, const LatticeFilling& filling);
 
-/// How thick a wall of so many layers is at each of its places, m.
-std::vector<double> wallThicknesses(const std::vector<Eigen::Vector3d>& nodes, int layers);
+/// How nearly a wall comes to what was asked for.
+struct WallFit {
+    std::size_t places;  ///< vertices beneath which it lies
+    std::size_t thinner; ///< of them where it is thinner than asked for by more than a hundredth
+    double least;        ///< m, where it is thinnest
+    std::size_t leftOut; ///< triangles under which there is no prism
+};
+
+/// Of the nodes of a wall, whether just made or read from a file.
+/// @param triangles of the surface that it lies beneath
+WallFit wallFitOf(const std::vector<Eigen::Vector3d>& nodes, const Lattice& wall, std::size_t triangles);
+
+/// Whether a wall is so often thinner than asked for, at more than one place in ten, that it is another wall.
+bool isOftenThinner(const WallFit& fit);
 
 } // namespace esm

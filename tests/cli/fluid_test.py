@@ -84,6 +84,8 @@ class FluidTest(Case):
         self.refused({**SCENE, "pressures": [{"part": 0, "path": [[0, 0, 1]]}]}, "pressures[0].path[0]")
         self.imported(surface(), "--fill", "body-centred", "--spacing", 0.015)
         self.refused(SCENE, "fillings[0]", "a lattice fills this organ")
+        self.imported(surface(), "--fill", "prisms", "--wall-thickness", 0.002)
+        self.refused(SCENE, "fillings[0]", "within a wall of prisms a fluid is not computed yet")
 
     def test_a_fluid_stays_where_detail_changes_and_a_lattice_is_refused(self):
         self.imported()

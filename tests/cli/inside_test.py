@@ -72,6 +72,17 @@ class InsideTest(Case):
         imported = self.done("import", mesh, "-o", self.project, "--fill", "prisms", "--wall-thickness", 0.002, "--layers", 1)
         self.assertEqual(imported["nodes"], 2 * hollow["nodes"])
 
+    def test_a_wall_that_is_often_thinner_is_said_to_be(self):
+        mesh = self.file("organ.obj", surface())
+        self.project = self.file("organ.esm")
+        line = ["import", mesh, "-o", self.project, "--fill", "prisms", "--wall-thickness"]
+        self.assertEqual(self.done(*line, 0.002)["warnings"], [])
+        thick = self.done(*line, 0.05)
+        self.assertGreater(thick["wall"]["shortened"], 0.1 * thick["vertices"])
+        self.assertIn("%d of %d vertices have a thinner wall than asked for, down to" % (thick["wall"]["shortened"], thick["vertices"]),
+                      thick["warnings"][0])
+        self.assertEqual(self.done("info", self.project)["warnings"], thick["warnings"])
+
     def test_what_has_no_wall_is_refused(self):
         self.imported()
         line = ["inside", self.project, "-o", self.project, "--fill", "prisms"]

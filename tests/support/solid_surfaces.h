@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// Closed surfaces to fill.
+/// Surfaces to fill, or to put a wall beneath.
 namespace esm::test {
 
 inline void append(TriangleMesh& mesh, const TriangleMesh& other) {
@@ -50,6 +50,25 @@ inline TriangleMesh block(const Eigen::Vector3d& from, const Eigen::Vector3d& to
         mesh.triangles.push_back({face[0], face[1], face[2]});
         mesh.triangles.push_back({face[0], face[2], face[3]});
     }
+    return mesh;
+}
+
+/// Open at both ends, facing outwards, along z.
+inline TriangleMesh openTube(double radius, double length, std::uint32_t rings, std::uint32_t sides) {
+    TriangleMesh mesh;
+    for (std::uint32_t ring = 0; ring <= rings; ++ring)
+        for (std::uint32_t side = 0; side < sides; ++side) {
+            const double around = 2 * M_PI * (side + 0.5 * (ring % 2)) / sides;
+            mesh.vertices.emplace_back(radius * std::cos(around), radius * std::sin(around),
+                                       length * ring / rings);
+        }
+    for (std::uint32_t ring = 0; ring < rings; ++ring)
+        for (std::uint32_t side = 0; side < sides; ++side) {
+            const std::uint32_t next = (side + 1) % sides, shift = ring % 2;
+            const auto at = [&](std::uint32_t up, std::uint32_t i) { return (ring + up) * sides + i; };
+            mesh.triangles.push_back({at(0, side), at(0, next), at(1, shift ? next : side)});
+            mesh.triangles.push_back({at(0, shift ? side : next), at(1, next), at(1, side)});
+        }
     return mesh;
 }
 

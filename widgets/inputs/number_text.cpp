@@ -61,7 +61,7 @@ std::optional<UnitSize> siUnitOf(const QString& unit) {
 QString countText(std::size_t count) {
     QString text = QString::number(count);
     for (int i = text.size() - 3; i > 0; i -= 3)
-        text.insert(i, QChar(0x2009));
+        text.insert(i, QChar(0x202f)); // no line ends within a number
     return text;
 }
 

@@ -1,9 +1,12 @@
 #include "app/editor/dialogs/body_question.h"
 
+#include "app/editor/dialogs/body_work.h"
+#include "app/editor/dialogs/wall_format.h"
 #include "core/geometry/simplified_mesh.h"
 #include "core/model/motion_model.h"
 #include "core/project/wall.h"
 #include "core/solid/filled_body.h"
+#include "core/solid/prism_wall.h"
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -22,10 +25,6 @@ namespace {
 constexpr std::size_t suggestedNodes = 2000;
 /// A lattice of fewer shows no form, of more takes minutes to fill and to play.
 constexpr double fewestSolidNodes = 100, mostSolidNodes = 1e5;
-/// The time of a step by `split2`, over that of a hollow organ that bends freely and has as many nodes
-/// (docs/performance.md).
-constexpr double workOfBending = 2, workOfSolid = 1.5;
-
 NumberFormat countFormat(double fewest, double most) {
     NumberFormat format;
     format.decimals = 0;
@@ -47,8 +46,8 @@ void addRow(QFormLayout* form, QWidget* left, QLabel* right) {
 BodyQuestion::BodyQuestion(QWidget* parent)
     : QWidget(parent), m_bodies(new QButtonGroup(this)), m_work{}, m_detail(new QComboBox(this)),
       m_nodes(new NumberField(countFormat(fewestVertices, fewestVertices), this)),
-      m_suggestion(quietLabel({}, this)), m_fewerNodes(static_cast<double>(suggestedNodes)),
-      m_solidNodes(usualLatticeNodes) {
+      m_thickness(new NumberField(wallThicknessFormat(), this)), m_suggestion(quietLabel({}, this)),
+      m_fewerNodes(static_cast<double>(suggestedNodes)), m_solidNodes(usualLatticeNodes) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->setHorizontalSpacing(16);
@@ -59,15 +58,17 @@ BodyQuestion::BodyQuestion(QWidget* parent)
 
 void BodyQuestion::addBodies(QFormLayout* form) {
     addRow(form, quietLabel(tr("The organ is …"), this), quietLabel(tr("work of a step"), this));
-    const std::array<QString, 3> names{tr("&hollow, and bends freely"),
+    const std::array<QString, 4> names{tr("&hollow, and bends freely"),
                                        tr("hollow, with a &wall that resists bending"),
-                                       tr("&solid, filled with nodes")};
-    const std::array<QString, 3> meanings{
+                                       tr("hollow, with a wall of &prisms"), tr("&solid, filled with nodes")};
+    const std::array<QString, 4> meanings{
         tr("A bag of springs in the surface alone, which its tethers keep in form: for a first look, and for "
            "what is thin as a skin"),
         tr("The surface also resists bending, as a wall %1 mm thick does; Tissue has the thickness. For "
            "bowel, bladder, vessels")
             .arg(numberText(1000 * usualWallThickness)),
+        tr("Nodes at the vertices and in layers beneath them, so that both sides of the wall can be touched "
+           "and it keeps its form: for bowel, bladder, vessels, open or closed"),
         tr("Nodes and springs throughout the body, so that it resists being pressed: for liver, kidney, "
            "spleen")};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -95,6 +96,10 @@ void BodyQuestion::addDetail(QFormLayout* form) {
     };
     addField(tr("Simula&te"), m_detail);
     addField(tr("&Nodes"), m_nodes);
+    m_nodes->setObjectName(QStringLiteral("importNodes"));
+    m_thickness->setObjectName(QStringLiteral("importThickness"));
+    m_thickness->setValue(usualWallThickness);
+    addField(tr("W&all thickness"), m_thickness);
     m_suggestion->setObjectName(QStringLiteral("importSuggestion"));
     m_suggestion->setWordWrap(true);
     // The room for it is kept, so that nothing moves.
@@ -103,23 +108,36 @@ void BodyQuestion::addDetail(QFormLayout* form) {
     form->addRow(m_suggestion);
     connect(m_detail, qOverload<int>(&QComboBox::currentIndexChanged), this, &BodyQuestion::showChoice);
     connect(m_nodes, &NumberField::valueEdited, this, [this](double nodes) {
-        (kind() == Detail::Kind::Filled ? m_solidNodes : m_fewerNodes) = nodes;
+        (body() == Solid ? m_solidNodes : m_fewerNodes) = nodes;
         showWork();
         m_suggestion->setText(suggestion());
     });
+    connect(m_thickness, &NumberField::valueEdited, this, &BodyQuestion::showChoice);
 }
 
-void BodyQuestion::setSurface(std::size_t vertices, bool isClosed) {
+void BodyQuestion::setSurface(std::size_t vertices, bool isClosed, double meanEdge) {
     m_vertices = vertices;
+    m_meanEdge = meanEdge;
     m_isClosed = isClosed;
     showChoice();
 }
 
 Detail::Kind BodyQuestion::kind() const {
-    return body() == Solid ? Detail::Kind::Filled : static_cast<Detail::Kind>(m_detail->currentIndex());
+    return body() == Solid || body() == Prisms ? Detail::Kind::Filled
+                                               : static_cast<Detail::Kind>(m_detail->currentIndex());
+}
+
+LatticeFilling BodyQuestion::wall() const {
+    const double thickness = m_thickness->value().value_or(usualWallThickness);
+    return {LatticeKind::Prisms, 0, thickness, usualLayers(m_meanEdge, thickness)};
+}
+
+double BodyQuestion::wallNodes() const {
+    return static_cast<double>(m_vertices) * (wall().layers + 1);
 }
 
 BodyChoice BodyQuestion::choice() const {
+    if (body() == Prisms) return {{Detail::Kind::Filled, 0, wall()}, false};
     BodyChoice choice{{kind(), static_cast<std::size_t>(m_nodes->value().value_or(0))}, false};
     if (choice.detail.kind == Detail::Kind::Nodes && choice.detail.nodes >= m_vertices)
         choice.detail.kind = Detail::Kind::EveryVertex;
@@ -134,8 +152,12 @@ QString BodyQuestion::refusal() const {
 }
 
 void BodyQuestion::showChoice() {
-    enable(m_detail, body() != Solid, tr("What moves under the drawn surface"),
-           tr("The nodes of a solid body lie on a lattice, not at the surface's vertices"));
+    enable(m_detail, body() != Solid && body() != Prisms, tr("What moves under the drawn surface"),
+           body() == Prisms
+               ? tr("A wall of prisms has nodes at every vertex and in each layer")
+               : tr("The nodes of a solid body lie on a lattice, not at the surface's vertices"));
+    enable(m_thickness, body() == Prisms, tr("How far the wall reaches inwards from the surface"),
+           tr("Only a wall of prisms is as thick as is said here"));
     showNodes();
     showWork();
     m_suggestion->setText(suggestion());
@@ -143,17 +165,18 @@ void BodyQuestion::showChoice() {
 }
 
 void BodyQuestion::showNodes() {
-    const bool isOther = m_shownKind != kind();
-    m_shownKind = kind();
-    const bool isChosen = kind() == Detail::Kind::Nodes || kind() == Detail::Kind::Filled;
+    const std::pair asked(body(), kind());
+    const bool isOther = m_shownNodes != asked;
+    m_shownNodes = asked;
+    const bool isChosen = kind() == Detail::Kind::Nodes || body() == Solid;
     enable(m_nodes, isChosen, tr("More nodes follow a deformation closer and take longer"),
-           tr("Choose fewer nodes, or a solid organ, to say how many"));
+           body() == Prisms ? tr("A wall of prisms has nodes at every vertex and in each layer")
+                            : tr("Choose fewer nodes, or a solid organ, to say how many"));
     // A number that was refused stays to be mended.
     if (isChosen && !isOther && !m_nodes->refusal().isEmpty()) return;
-    m_nodes->setFormat(kind() == Detail::Kind::Filled
-                           ? countFormat(fewestSolidNodes, mostSolidNodes)
-                           : countFormat(fewestVertices, static_cast<double>(m_vertices)));
-    m_nodes->setValue(kind() == Detail::Kind::Filled ? m_solidNodes : hollowNodes());
+    m_nodes->setFormat(body() == Solid ? countFormat(fewestSolidNodes, mostSolidNodes)
+                                       : countFormat(fewestVertices, static_cast<double>(m_vertices)));
+    m_nodes->setValue(body() == Solid ? m_solidNodes : body() == Prisms ? wallNodes() : hollowNodes());
 }
 
 /// Of the organ, were it hollow.
@@ -171,8 +194,9 @@ double BodyQuestion::hollowNodes() const {
 
 void BodyQuestion::showWork() {
     const bool isRigid = m_detail->currentIndex() == static_cast<int>(Detail::Kind::Rigid);
-    const std::array<double, 3> work{1, isRigid ? 1 : workOfBending,
-                                     workOfSolid * m_solidNodes / std::max(1.0, hollowNodes())};
+    const double nodes = std::max(1.0, hollowNodes());
+    const std::array<double, 4> work{1, isRigid ? 1 : workOfBending, workOfPrisms * wallNodes() / nodes,
+                                     workOfSolid * m_solidNodes / nodes};
     for (std::size_t i = 0; i < work.size(); ++i)
         m_work[i]->setText(i == Hollow ? tr("1 ×") : tr("about %1 ×").arg(numberText(work[i], 1)));
 }
@@ -184,6 +208,10 @@ QString BodyQuestion::suggestion() const {
     if (body() == Solid)
         return tr("About %1 nodes fill the body. Model → Inside… then shows them, and chooses others.")
             .arg(countText(static_cast<std::size_t>(m_solidNodes)));
+    if (body() == Prisms)
+        return tr("%1 layers of prisms. Where the organ is too narrow the wall is thinner: Model → Inside… "
+                  "then says where, and takes other thicknesses.")
+            .arg(wall().layers);
     if (m_vertices <= suggestedNodes)
         return tr("Recommended: every vertex. So few usually move in real time.");
     return tr("Recommended: %1 nodes under the full surface. So few usually move in real time; %2 may not. "

@@ -13,12 +13,12 @@ bool mayRemoveFluids(QWidget& window, const Scene& scene, const Detail& chosen) 
     const std::size_t parts = fluidParts(scene).size();
     if (parts == 0 || chosen.kind != Detail::Kind::Filled) return true;
     const QString what =
-        parts == 1
-            ? QObject::tr("The organ's fluid, and what presses from within, will be removed: a lattice fills "
-                          "the body, and leaves no room for it.")
-            : QObject::tr("The fluid in %1 parts, and what presses from within, will be removed: a lattice "
-                          "fills the body, and leaves no room for it.")
-                  .arg(parts);
+        (parts == 1 ? QObject::tr("The organ's fluid, and what presses from within, will be removed: %1")
+                    : QObject::tr("The fluid in %2 parts, and what presses from within, will be removed: %1")
+                          .arg(parts))
+            .arg(chosen.filling && isWall(*chosen.filling)
+                     ? QObject::tr("within a wall of prisms a fluid is not computed yet.")
+                     : QObject::tr("a lattice fills the body, and leaves no room for it."));
     return ask(window, [&] {
         QMessageBox box(QMessageBox::Question, QObject::tr("Inside of the organ"), what, QMessageBox::Cancel,
                         &window);

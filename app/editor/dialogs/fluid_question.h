@@ -7,7 +7,8 @@
 
 namespace esm {
 
-/// Asks whether the fluid in the organ's parts may go, as it must where a lattice fills the body. True where
+/// Asks whether the fluid in the organ's parts may go, as it must where a lattice fills the body, and within
+/// a wall of prisms. True where
 /// there is none, or the organ stays hollow.
 bool mayRemoveFluids(QWidget& window, const Scene& scene, const Detail& chosen);
 

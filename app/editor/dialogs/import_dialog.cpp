@@ -5,6 +5,7 @@
 #include "app/editor/dialogs/import_report.h"
 #include "app/editor/dialogs/preview_background.h"
 #include "core/authoring/import_unit.h"
+#include "core/solid/prism_wall.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
@@ -291,7 +292,8 @@ void ImportDialog::showKept() {
     m_report->setPlainText((reportLines(*m_shown) + partLines()).join('\n'));
     m_size->setText(sizeText(m_shown->extent));
     m_doubt->setText(doubtfulExtent(m_shown->extent.maxCoeff(), choice().unit));
-    m_body->setSurface(m_shown->mesh->vertices.size(), m_shown->report.isClosed());
+    m_body->setSurface(m_shown->mesh->vertices.size(), m_shown->report.isClosed(),
+                       meanEdgeOf(*m_shown->mesh) * metresPer(choice().unit));
 }
 
 ImportChoice ImportDialog::choice() const {

@@ -1,10 +1,14 @@
 #include "app/editor/dialogs/inside_dialog.h"
 
 #include "app/editor/dialogs/box_setup.h"
+#include "app/editor/dialogs/inside_texts.h"
 #include "app/editor/dialogs/preview_background.h"
+#include "app/editor/dialogs/sentence.h"
+#include "app/editor/dialogs/wall_format.h"
 #include "core/project/detail_change.h"
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
+#include "core/solid/prism_wall.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/refused_numbers.h"
@@ -36,50 +40,13 @@ NumberFormat spacingFormat() {
     return format;
 }
 
-/// What a choice means; of none, a hollow organ.
-QString aboutText(const std::optional<LatticeKind>& kind) {
-    if (!kind)
-        return QObject::tr("Springs in the surface alone: a bag, which its tethers and fixed nodes hold in "
-                           "form. Every vertex is a node.");
-    switch (*kind) {
-    case LatticeKind::Cubic:
-        return QObject::tr("Cubes with the diagonals of their faces: as firm in every direction.");
-    case LatticeKind::BodyCentred:
-        return QObject::tr("Cubes with a node in the middle: as firm in every direction, and the fewest "
-                           "springs.");
-    case LatticeKind::Diamond:
-        return QObject::tr("As in diamond, with second neighbours: firmer along some directions than "
-                           "others, up to twice.");
-    case LatticeKind::Prisms: // which the command line makes
-    case LatticeKind::BareDiamond:
-        break;
-    }
-    return QObject::tr("Four neighbours alone: it resists being pressed together, but no shear. The "
-                       "surface alone keeps its form.");
-}
-
-QString countsText(double nodes, double springs, double tetrahedra) {
-    const auto count = [](double number) { return countText(static_cast<std::size_t>(number)); };
-    return QObject::tr("%1 nodes, %2 springs, %3 tetrahedra")
-        .arg(count(nodes), count(springs), count(tetrahedra));
-}
-
-QString firmnessText(const Project& project, LatticeKind kind) {
-    const double modulus = youngsModulusOfWall(project.base.springConstant, project.base.wallThickness);
-    const QString text =
-        kind == LatticeKind::BareDiamond
-            ? QObject::tr("%1 N/m of the whole organ then resist being pressed together as tissue of %2 kPa "
-                          "does (Young's modulus), however fine the lattice is, and shear not at all.")
-            : QObject::tr("%1 N/m of the whole organ are then tissue of %2 kPa (Young's modulus; Poisson's "
-                          "ratio is ¼), however fine the lattice is.");
-    return text.arg(numberText(project.base.springConstant), numberText(modulus / 1000, 3));
-}
-
-/// Where the organ leaves no room for what was asked; empty else.
-QString finerText(const FoundInside& found) {
-    if (found.estimate.spacing > 0.99 * found.filling.spacing) return {};
-    return QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
-        .arg(numberText(1000 * found.estimate.spacing, 2));
+NumberFormat layersFormat() {
+    NumberFormat format;
+    format.decimals = 0;
+    format.minimum = 1;
+    format.maximum = mostWallLayers;
+    format.step = 1;
+    return format;
 }
 
 } // namespace
@@ -87,8 +54,10 @@ QString finerText(const FoundInside& found) {
 InsideDialog::InsideDialog(const Project& project, QWidget* parent)
     : QDialog(parent), m_project(project), m_finder(project.mesh, this), m_view(new OrganView(this)),
       m_kind(new QComboBox(this)), m_spacing(new NumberField(spacingFormat(), this)),
-      m_about(wrapped("insideAbout", 3, this)), m_counts(wrapped("insideCounts", 3, this)),
-      m_firmness(wrapped("insideFirmness", 4, this)), m_refusal(wrapped("insideRefusal", 5, this)) {
+      m_thickness(new NumberField(wallThicknessFormat(), this)),
+      m_layers(new NumberField(layersFormat(), this)), m_about(wrapped("insideAbout", 3, this)),
+      m_cost(wrapped("insideCounts", 4, this)), m_firmness(wrapped("insideFirmness", 4, this)),
+      m_refusal(wrapped("insideRefusal", 6, this)) {
     setWindowTitle(tr("Inside of the organ"));
     setObjectName(QStringLiteral("insideDialog"));
     m_view->setAccessibleName(tr("The organ, cut open"));
@@ -106,16 +75,31 @@ InsideDialog::InsideDialog(const Project& project, QWidget* parent)
     // The picture and other widgets would keep it for themselves.
     rejectOnEscape(*this);
     connect(&m_finder, &InsideFinder::answered, this, &InsideDialog::takeAnswer);
-    const Detail now = detailOf(*project.network);
-    const bool isLattice = now.filling && !isWall(*now.filling);
-    m_kind->setCurrentIndex(m_kind->findData(isLattice ? static_cast<int>(now.filling->kind)
-                                                       : static_cast<int>(LatticeKind::BodyCentred)));
-    if (isLattice) m_spacing->setValue(now.filling->spacing);
+    showNow(detailOf(*project.network));
     connect(m_kind, qOverload<int>(&QComboBox::currentIndexChanged), this, &InsideDialog::chooseKind);
-    connect(m_spacing, &NumberField::valueEdited, this, &InsideDialog::lookAgain);
+    for (NumberField* field : {m_spacing, m_thickness})
+        connect(field, &NumberField::valueEdited, this, &InsideDialog::lookAgain);
+    connect(m_layers, &NumberField::valueEdited, this, [this] {
+        m_hasOwnLayers = true;
+        lookAgain();
+    });
     showScene(project.network);
     chooseKind();
-    resize(1000, 660);
+    resize(1000, 720);
+}
+
+void InsideDialog::showNow(const Detail& now) {
+    // Of an open surface no lattice can be made.
+    const LatticeKind usual =
+        m_project.importReport->isClosed() ? LatticeKind::BodyCentred : LatticeKind::Prisms;
+    const LatticeFilling filling = now.filling.value_or(LatticeFilling{usual});
+    m_kind->setCurrentIndex(m_kind->findData(static_cast<int>(filling.kind)));
+    m_thickness->setValue(m_project.base.wallThickness);
+    if (!now.filling) return;
+    if (!isWall(filling)) return m_spacing->setValue(filling.spacing);
+    m_thickness->setValue(filling.wallThickness);
+    m_layers->setValue(filling.layers);
+    m_hasOwnLayers = filling.layers != usualLayers(*m_project.mesh, filling.wallThickness);
 }
 
 void InsideDialog::addQuestions(QVBoxLayout* column) {
@@ -124,12 +108,13 @@ void InsideDialog::addQuestions(QVBoxLayout* column) {
     for (const auto& [kind, name] : {std::pair{LatticeKind::BodyCentred, tr("solid, body-centred lattice")},
                                      std::pair{LatticeKind::Cubic, tr("solid, cubic lattice")},
                                      std::pair{LatticeKind::Diamond, tr("solid, diamond lattice")},
-                                     std::pair{LatticeKind::BareDiamond, tr("solid, bare diamond lattice")}})
+                                     std::pair{LatticeKind::BareDiamond, tr("solid, bare diamond lattice")},
+                                     std::pair{LatticeKind::Prisms, tr("hollow, with a wall of prisms")}})
         m_kind->addItem(name, static_cast<int>(kind));
     m_kind->setToolTip(tr("Whether nodes and springs fill the organ, and how they are laid out"));
-    m_kind->setAccessibleName(tr("Inside"));
     m_spacing->setObjectName(QStringLiteral("insideSpacing"));
-    m_spacing->setAccessibleName(tr("Spacing"));
+    m_thickness->setObjectName(QStringLiteral("insideThickness"));
+    m_layers->setObjectName(QStringLiteral("insideLayers"));
     m_refusal->setProperty("warning", true);
     for (QLabel* label : {m_about, m_firmness})
         label->setProperty("quiet", true);
@@ -140,12 +125,15 @@ void InsideDialog::addQuestions(QVBoxLayout* column) {
         auto* label = new QLabel(caption, this);
         label->setProperty("quiet", true);
         label->setBuddy(field);
+        field->setAccessibleName(withoutMnemonic(caption));
         form->addRow(label, field);
     };
     addField(tr("&Inside"), m_kind);
     form->addRow(m_about);
     addField(tr("&Spacing"), m_spacing);
-    for (QLabel* label : {m_counts, m_firmness, m_refusal})
+    addField(tr("Wall &thickness"), m_thickness);
+    addField(tr("&Layers"), m_layers);
+    for (QLabel* label : {m_cost, m_firmness, m_refusal})
         form->addRow(label);
     column->addLayout(form);
     column->addStretch();
@@ -170,9 +158,16 @@ std::optional<LatticeKind> InsideDialog::kind() const {
     return kind < 0 ? std::nullopt : std::optional(static_cast<LatticeKind>(kind));
 }
 
+/// Of 0 where that is to be the usual. Precondition: the organ is not to be hollow.
+LatticeFilling InsideDialog::filling() const {
+    if (kind() != LatticeKind::Prisms) return {*kind(), m_spacing->value().value_or(0)};
+    return {LatticeKind::Prisms, 0, m_thickness->value().value_or(0),
+            static_cast<int>(m_layers->value().value_or(0))};
+}
+
 Detail InsideDialog::detail() const {
     if (!kind()) return hollowDetail(m_project);
-    return {Detail::Kind::Filled, 0, LatticeFilling{*kind(), m_spacing->value().value_or(0)}};
+    return {Detail::Kind::Filled, 0, filling()};
 }
 
 std::shared_ptr<const SpringNetwork> InsideDialog::network() const {
@@ -182,21 +177,37 @@ std::shared_ptr<const SpringNetwork> InsideDialog::network() const {
 }
 
 void InsideDialog::chooseKind() {
-    m_about->setText(aboutText(kind()));
-    enable(m_spacing, kind().has_value(),
-           tr("Distance between neighbouring nodes: half as much is eight times as many nodes"),
-           tr("A hollow organ has no nodes inside"));
-    m_accept->setText(kind() ? tr("&Fill") : tr("Make &hollow"));
+    m_about->setText(aboutInside(kind()));
+    enableNumbers();
+    m_accept->setText(!kind()                         ? tr("Make &hollow")
+                      : kind() == LatticeKind::Prisms ? tr("Make &wall")
+                                                      : tr("&Fill"));
     if (!kind()) return showHollow();
     lookAgain();
+}
+
+void InsideDialog::enableNumbers() {
+    const bool hasWall = kind() == LatticeKind::Prisms;
+    enable(m_spacing, kind() && !hasWall,
+           tr("Distance between neighbouring nodes: half as much is eight times as many nodes"),
+           hasWall ? tr("The nodes of a wall lie at the vertices and beneath them")
+                   : tr("A hollow organ has no nodes inside"));
+    enable(m_thickness, hasWall, tr("How far the wall reaches inwards from the surface"),
+           tr("Only a wall of prisms has a thickness"));
+    enable(m_layers, hasWall,
+           tr("How many prisms lie one beneath the other: with two or more the wall bends as tissue does, "
+              "with one three times as stiffly"),
+           tr("Only a wall of prisms has layers"));
 }
 
 void InsideDialog::lookAgain() {
     if (m_isAnswered || !kind()) return;
     m_refusal->clear();
-    esm::enable(m_accept, false, {}, tr("The lattice is being made"));
-    m_view->setHint(tr("The lattice is being made …"));
-    m_finder.look({*kind(), m_spacing->value().value_or(0)});
+    esm::enable(m_accept, false, {}, tr("The inside is being made"));
+    m_view->setHint(tr("The inside is being made …"));
+    LatticeFilling asked = filling();
+    if (isWall(asked) && !m_hasOwnLayers) asked.layers = 0;
+    m_finder.look(asked);
 }
 
 void InsideDialog::takeAnswer() {
@@ -204,8 +215,8 @@ void InsideDialog::takeAnswer() {
     const auto outcome = m_finder.outcome();
     const bool isDone = !m_finder.isWorking();
     if (isDone && !outcome.failure.empty()) {
-        m_refusal->setText(QString::fromStdString(outcome.failure));
-        m_counts->clear();
+        m_refusal->setText(sentence(outcome.failure));
+        m_cost->clear();
         m_firmness->clear();
         m_view->setHint(tr("Shown is what there was before"));
         esm::enable(m_accept, false, {}, m_refusal->text());
@@ -215,35 +226,26 @@ void InsideDialog::takeAnswer() {
 }
 
 void InsideDialog::showFound(const FoundInside& found, bool isDone) {
-    if (!m_spacing->value()) m_spacing->setValue(found.filling.spacing);
+    if (!isWall(found.filling) && !m_spacing->value()) m_spacing->setValue(found.filling.spacing);
+    if (isWall(found.filling) && !m_hasOwnLayers) m_layers->setValue(found.filling.layers);
     // Rigid tissue is told by other numbers, which a filled organ does not keep.
     if (detailOf(*m_project.network).kind != Detail::Kind::Rigid)
-        m_firmness->setText(firmnessText(m_project, found.filling.kind));
-    m_refusal->setText(finerText(found));
-    const QString memory = tr("%1 MB of memory while it is filled")
-                               .arg(numberText(std::max(1.0, found.estimate.bytes / 1e6), 2));
-    if (!isDone || !found.network) {
-        m_counts->setText(
-            tr("About %1; %2")
-                .arg(countsText(found.estimate.nodes, found.estimate.springs, found.estimate.tetrahedra),
-                     memory));
-        esm::enable(m_accept, isDone, tr("Fill the organ; so many nodes are not shown before"),
-                    tr("The lattice is being made"));
-        if (isDone) m_view->setHint(tr("So many nodes are not shown before they are taken"));
-        return;
+        m_firmness->setText(insideFirmness(m_project, found.filling.kind));
+    m_refusal->setText(lackOfRoom(found, m_project.mesh->triangles.size()));
+    m_cost->setText(insideCost(found, m_project.mesh->vertices.size()));
+    if (!isDone) return m_view->setHint(tr("The inside is being made … %1 %").arg(qRound(100 * found.share)));
+    if (!found.network) {
+        esm::enable(m_accept, true, tr("Take it; so many nodes are not shown before"), {});
+        return m_view->setHint(tr("So many nodes are not shown before they are taken"));
     }
-    const SpringNetwork& network = *found.network;
-    m_counts->setText(countsText(static_cast<double>(network.restPositions.size()),
-                                 static_cast<double>(network.springs.size()),
-                                 static_cast<double>(network.lattice->tetrahedra.size())));
-    esm::enable(m_accept, true, tr("Fill the organ as it is shown"), {});
+    esm::enable(m_accept, true, tr("Take it as it is shown"), {});
     showScene(found.network);
 }
 
 void InsideDialog::showHollow() {
     m_refusal->clear();
     m_firmness->clear();
-    m_counts->setText(tr("%1 nodes").arg(countText(m_project.mesh->vertices.size())));
+    m_cost->setText(tr("%1 nodes").arg(countText(m_project.mesh->vertices.size())));
     esm::enable(m_accept, true, tr("Make every vertex a node, with nothing inside"), {});
     showScene(std::make_shared<const SpringNetwork>(networkFromMesh(*m_project.mesh)));
 }

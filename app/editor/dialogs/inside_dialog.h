@@ -14,7 +14,8 @@
 
 namespace esm {
 
-/// Asks what fills an organ, nothing or a lattice of springs, and shows it cut open, with what it costs.
+/// Asks what fills an organ, nothing, a lattice of springs or a wall of prisms, and shows it cut open, with
+/// what it costs.
 /// Another choice is worked out beside the window.
 class InsideDialog : public QDialog {
     Q_OBJECT
@@ -36,6 +37,9 @@ private:
     void addQuestions(QVBoxLayout* column);
     void addButtons(QVBoxLayout* column);
     std::optional<LatticeKind> kind() const;
+    void showNow(const Detail& now);
+    LatticeFilling filling() const;
+    void enableNumbers();
     void chooseKind();
     void lookAgain();
     void takeAnswer();
@@ -45,11 +49,12 @@ private:
 
     const Project m_project;
     InsideFinder m_finder;
-    bool m_isAnswered = false; ///< by the user
+    bool m_isAnswered = false;   ///< by the user
+    bool m_hasOwnLayers = false; ///< or as many as are usual for the wall's thickness
     OrganView* m_view;
     QComboBox* m_kind;
-    NumberField* m_spacing;
-    QLabel *m_about, *m_counts, *m_firmness, *m_refusal;
+    NumberField *m_spacing, *m_thickness, *m_layers;
+    QLabel *m_about, *m_cost, *m_firmness, *m_refusal;
     QPushButton* m_accept = nullptr;
 };
 

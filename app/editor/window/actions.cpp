@@ -123,7 +123,8 @@ void ActionMaker::makeModelActions() {
     a.chooseDetail = make(tr("&Nodes to simulate…"), {},
                           tr("Simulate fewer nodes under the full surface, or every vertex; of a solid "
                              "organ other nodes inside"));
-    a.chooseInside = make(tr("&Inside…"), {}, tr("Fill the organ with nodes and springs, or make it hollow"));
+    a.chooseInside = make(tr("&Inside…"), {},
+                          tr("Fill the organ with nodes and springs, give it a wall, or make it hollow"));
     a.evenSheet =
         make(tr("&Even sheet"), {},
              tr("Share the tissue out over the springs so that the surface is as firm however it is "

@@ -26,13 +26,17 @@ namespace esm {
 
 namespace {
 
+/// A wall has nodes at every vertex of its surface and beneath them.
+bool hasWall(const Project& project) {
+    return project.network->lattice && isWall(project.network->lattice->filling);
+}
+
 /// About so many nodes, in the surface or throughout the body as it is now. @throws InvalidModel
+/// Precondition: the organ has no wall of prisms.
 Detail ofNodes(const Project& project, std::size_t nodes) {
     if (!project.network->lattice)
         return {Detail::Kind::Nodes, nodes, {}, project.network->sheet.has_value()};
     const LatticeFilling& filling = project.network->lattice->filling;
-    // A wall has the nodes of its surface.
-    if (isWall(filling)) return {Detail::Kind::Filled, 0, filling};
     return {Detail::Kind::Filled, 0, fillingOf(*project.mesh, filling.kind, static_cast<double>(nodes))};
 }
 
@@ -81,8 +85,11 @@ void EditController::enable(const Actions& actions) {
                  : tr("No photo is selected");
     for (QAction* ofPhoto : {actions.fromCamera, actions.lookThroughPhoto})
         allow(ofPhoto, texture && layer && layer->photo, noPhoto);
-    allow(actions.chooseDetail, project.mesh->vertices.size() > fewestVertices,
-          tr("This model has no surface that fewer nodes could carry"));
+    const bool canBeCoarser = project.mesh->vertices.size() > fewestVertices;
+    allow(actions.chooseDetail, canBeCoarser && !hasWall(project),
+          canBeCoarser ? tr("A wall of prisms has nodes at every vertex: Model → Inside… chooses its layers, "
+                            "or makes the organ hollow")
+                       : tr("This model has no surface that fewer nodes could carry"));
     allow(actions.chooseInside, !project.mesh->triangles.empty(),
           tr("This model has no surface that could be filled"));
     allow(actions.evenSheet, canBeEvenSheet(project),
@@ -197,6 +204,7 @@ void EditController::makeEvenSheet(bool isEven) {
 }
 
 void EditController::simulateNodes(std::size_t nodes) {
+    if (hasWall(m_document.project())) return;
     if (!mayRemoveSplits(m_window, m_document.project().scene)) return;
     simulate(
         [nodes](const Project& project, const Progress& progress) {

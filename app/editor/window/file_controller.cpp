@@ -6,6 +6,7 @@
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
 #include "app/editor/dialogs/save_dialog.h"
+#include "app/editor/dialogs/thin_wall_text.h"
 #include "app/editor/window/actions.h"
 #include "app/editor/window/import_controller.h"
 #include "app/editor/window/photo_controller.h"
@@ -86,7 +87,9 @@ FileController::FileController(QWidget& window, Document& document, PhotoControl
       m_imports(new ImportController(window, document, [this] { return mayLeaveProject(); })) {
     connect(m_imports, &ImportController::imported, this, [this](const std::filesystem::path& file) {
         noteOpened(file);
-        emit message(tr("Imported %1").arg(fileName(file)));
+        const QString imported = tr("Imported %1").arg(fileName(file)),
+                      thin = thinWallWarning(m_document.project());
+        emit message(thin.isEmpty() ? imported : imported + QStringLiteral(": ") + thin);
     });
 }
 

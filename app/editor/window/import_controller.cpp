@@ -33,10 +33,11 @@ ReadSurface readSurface(const std::filesystem::path& file, const Progress& progr
 /// Times the nodes that were promised: more come of a thin body, whatever the spacing.
 constexpr double mostOfWanted = 5;
 
-/// Of a solid organ with a lattice of the usual kind; others are chosen once it stands in the window.
+/// A wall as it is asked for; of a solid organ a lattice of the usual kind: others are chosen once it stands
+/// in the window.
 Detail detailFor(const TriangleMesh& mesh, Detail detail) {
     detail.isEven = true;
-    if (detail.kind != Detail::Kind::Filled) return detail;
+    if (detail.kind != Detail::Kind::Filled || detail.filling) return detail;
     const auto wanted = static_cast<double>(std::exchange(detail.nodes, 0));
     detail.filling = fillingOf(mesh, LatticeFilling().kind, wanted);
     const double nodes = estimateLattice(mesh, *detail.filling).nodes;

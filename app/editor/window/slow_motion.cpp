@@ -73,7 +73,9 @@ void SlowMotion::tell(double realTimeFactor) {
     const Project& project = m_document.project();
     const std::size_t nodes = project.network->restPositions.size();
     m_offered = nodesAtRealSpeed(nodes, realTimeFactor);
-    const bool helps = !project.mesh->triangles.empty() && m_offered < nodes;
+    const auto filling = detailOf(*project.network).filling;
+    const bool hasWall = filling && isWall(*filling); // which has the nodes of its surface
+    const bool helps = !project.mesh->triangles.empty() && !hasWall && m_offered < nodes;
     const double times = 1 / realTimeFactor;
     m_notice->say(
         tr("Slowed down to %1 of its real speed: in a simulator that keeps up, the tissue moves %2 times "

@@ -77,7 +77,7 @@ TEST(ClosedBodies, RefuseAnOpenSurfaceAndSayWhereItIsOpen) {
     const std::string message = refusal(mesh);
     EXPECT_THAT(message, HasSubstr("6 open edges in 1 borders, the longest of 6 edges"));
     EXPECT_THAT(message, HasSubstr("close slits and fill holes"));
-    EXPECT_THAT(message, HasSubstr("as a wall"));
+    EXPECT_THAT(message, HasSubstr("a wall of prisms"));
 }
 
 TEST(ClosedBodies, RefuseASurfaceThatTurnsItsInsideOut) {

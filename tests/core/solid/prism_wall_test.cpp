@@ -22,25 +22,6 @@ LatticeFilling wallOf(double thickness, int layers) {
     return {LatticeKind::Prisms, 0, thickness, layers};
 }
 
-/// Open at both ends, facing outwards, along z.
-TriangleMesh openTube(double radius, double length, std::uint32_t rings, std::uint32_t sides) {
-    TriangleMesh mesh;
-    for (std::uint32_t ring = 0; ring <= rings; ++ring)
-        for (std::uint32_t side = 0; side < sides; ++side) {
-            const double around = 2 * M_PI * (side + 0.5 * (ring % 2)) / sides;
-            mesh.vertices.emplace_back(radius * std::cos(around), radius * std::sin(around),
-                                       length * ring / rings);
-        }
-    for (std::uint32_t ring = 0; ring < rings; ++ring)
-        for (std::uint32_t side = 0; side < sides; ++side) {
-            const std::uint32_t next = (side + 1) % sides, shift = ring % 2;
-            const auto at = [&](std::uint32_t up, std::uint32_t i) { return (ring + up) * sides + i; };
-            mesh.triangles.push_back({at(0, side), at(0, next), at(1, shift ? next : side)});
-            mesh.triangles.push_back({at(0, shift ? side : next), at(1, next), at(1, side)});
-        }
-    return mesh;
-}
-
 std::set<Edge> tetrahedronEdges(const std::vector<Tetrahedron>& tetrahedra) {
     std::set<Edge> edges;
     for (const Tetrahedron& corners : tetrahedra)
@@ -93,7 +74,7 @@ void expectSoundWall(const TriangleMesh& mesh, const LatticeFilling& filling) {
 
 TEST(PrismWall, IsSoundBeneathClosedAndOpenSurfacesOfSeveralParts) {
     TriangleMesh apart = test::ball(0.05, Vector3d(0.2, 0, 0), 12);
-    test::append(apart, openTube(0.02, 0.1, 10, 12));
+    test::append(apart, test::openTube(0.02, 0.1, 10, 12));
     for (const int layers : {1, 2, 3}) {
         expectSoundWall(lumpySurface(20, 40), wallOf(0.004, layers));
         expectSoundWall(test::torus(), wallOf(0.05, layers));
@@ -104,13 +85,13 @@ TEST(PrismWall, IsSoundBeneathClosedAndOpenSurfacesOfSeveralParts) {
 
 TEST(PrismWall, HasTheVolumeOfItsAreaTimesItsThickness) {
     EXPECT_NEAR(wholeVolume(prismWall(flatSquare(0.1, 8), wallOf(0.005, 2))), 0.1 * 0.1 * 0.005, 1e-15);
-    const TriangleMesh round = openTube(0.02, 0.1, 20, 40);
+    const TriangleMesh round = test::openTube(0.02, 0.1, 20, 40);
     const double middle = surfaceArea(round) * (0.02 - 0.001) / 0.02;
     EXPECT_NEAR(wholeVolume(prismWall(round, wallOf(0.002, 2))) / (middle * 0.002), 1, 0.01);
 }
 
 TEST(PrismWall, IsThinnerWhereTwoWallsMeetOrTheSurfaceBendsSharply) {
-    const TriangleMesh thin = openTube(0.005, 0.1, 40, 12);
+    const TriangleMesh thin = test::openTube(0.005, 0.1, 40, 12);
     const PrismWall wall = prismWall(thin, wallOf(0.006, 2));
     EXPECT_EQ(wall.shortened, thin.vertices.size());
     EXPECT_LT(wall.leastThickness, 0.005);
@@ -139,6 +120,43 @@ std::string wallRefusal(const TriangleMesh& mesh, const LatticeFilling& filling)
         return error.what();
     }
     return "";
+}
+
+/// A sheet of which some vertices were pulled over their neighbours, so that triangles are folded over.
+TriangleMesh foldedSheet(int folds) {
+    constexpr int cells = 24;
+    TriangleMesh mesh = flatSquare(0.12, cells);
+    for (int fold = 0; fold < folds; ++fold)
+        mesh.vertices[static_cast<std::size_t>((cells + 1) * (4 + 3 * fold) + 8)] +=
+            Vector3d(0.0085, 0.001, 0.0005);
+    return mesh;
+}
+
+TEST(PrismWall, LeavesOutAndCountsTrianglesThatCarryNoPrism) {
+    for (const int layers : {1, 2}) {
+        const TriangleMesh mesh = foldedSheet(1);
+        const PrismWall wall = prismWall(mesh, wallOf(0.004, layers));
+        for (const Tetrahedron& tetrahedron : wall.tetrahedra)
+            EXPECT_GT(volumeOf(tetrahedron, wall.nodes), 0);
+        const WallFit fit =
+            wallFitOf(wall.nodes, {wallOf(0.004, layers), wall.tetrahedra, {}, {}}, mesh.triangles.size());
+        EXPECT_GT(fit.leftOut, 0U);
+        EXPECT_LE(50 * fit.leftOut, mesh.triangles.size());
+        EXPECT_EQ(wall.tetrahedra.size(),
+                  3 * static_cast<std::size_t>(layers) * (mesh.triangles.size() - fit.leftOut));
+        EXPECT_EQ(wall.springs.size(),
+                  static_cast<std::size_t>(estimateWall(mesh, wallOf(0.004, layers)).springs))
+            << "their edges stay";
+        EXPECT_EQ(fit.places, mesh.vertices.size());
+        EXPECT_EQ(fit.thinner, wall.shortened);
+        EXPECT_DOUBLE_EQ(fit.least, wall.leastThickness);
+        EXPECT_FALSE(isOftenThinner(fit));
+        std::set<std::uint32_t> inTetrahedra;
+        for (const Tetrahedron& tetrahedron : wall.tetrahedra)
+            inTetrahedra.insert(tetrahedron.begin(), tetrahedron.end());
+        EXPECT_EQ(inTetrahedra.size(), wall.nodes.size()) << "no node is left bare";
+    }
+    EXPECT_THAT(wallRefusal(foldedSheet(6), wallOf(0.004, 1)), HasSubstr("no wall fits under"));
 }
 
 TEST(PrismWall, RefusesWhatHasNone) {

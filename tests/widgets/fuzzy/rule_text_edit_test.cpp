@@ -155,7 +155,7 @@ TEST_F(RuleTextEditTest, RefusesMoreLinesThanThereMayBeRules) {
     edit.showText("IF age IS old THEN mass IS small");
     paste(QString("IF age IS old THEN mass IS small\n").repeated(10000));
     ASSERT_EQ(refused.count(), 1);
-    EXPECT_TRUE(refused[0][0].toString().startsWith(QString::fromUtf8("10\u2009001 lines were not pasted")))
+    EXPECT_TRUE(refused[0][0].toString().startsWith(QString::fromUtf8("10\u202f001 lines were not pasted")))
         << refused[0][0].toString().toStdString();
     paste(QString("IF age IS old AND ").repeated(100000));
     EXPECT_EQ(refused.count(), 2);

@@ -1,5 +1,6 @@
 #include "app/editor/panels/organ/model_panel.h"
 
+#include "app/editor/dialogs/thin_wall_text.h"
 #include "app/editor/panels/parameter_row.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quantity_formats.h"
@@ -31,10 +32,12 @@ QString carryingText(const Detail& detail) {
     return QObject::tr("Every vertex is a node");
 }
 
-QString insideText(const Detail& detail) {
+/// @param isThinner whether a wall often is than asked for
+QString insideText(const Detail& detail, bool isThinner) {
     if (!detail.filling) return QObject::tr("hollow");
     if (isWall(*detail.filling))
-        return QObject::tr("wall, %1 mm").arg(numberText(1000 * detail.filling->wallThickness, 2));
+        return (isThinner ? QObject::tr("wall, up to %1 mm") : QObject::tr("wall, %1 mm"))
+            .arg(numberText(1000 * detail.filling->wallThickness, 2));
     return QObject::tr("solid, %1 mm apart").arg(numberText(1000 * detail.filling->spacing, 2));
 }
 
@@ -57,7 +60,6 @@ ModelPanel::ModelPanel(Document& document, Preview& preview, QWidget* parent)
     m_springs = rows->addText(tr("Springs"), QStringLiteral("springCount"));
     m_vertices = rows->addText(tr("Vertices drawn"), QStringLiteral("vertexCount"));
     m_inside = rows->addText(tr("Inside"), QStringLiteral("modelInside"));
-    m_inside->setToolTip(tr("Model → Inside… chooses what fills the organ"));
     m_size = rows->addText(tr("Size"), QStringLiteral("modelSize"));
     m_centre = rows->addText(tr("Centre"), QStringLiteral("modelCentre"));
     m_fixed = rows->addText(tr("Fixed nodes"), QStringLiteral("fixedCount"));
@@ -111,7 +113,9 @@ void ModelPanel::showMesh() {
     m_springs->setText(countText(project.network->springs.size()));
     m_vertices->setText(countText(project.mesh->vertices.size()));
     m_vertices->setToolTip(carryingText(detailOf(*project.network)));
-    m_inside->setText(insideText(detailOf(*project.network)));
+    const QString thin = thinWallWarning(project);
+    m_inside->setText(insideText(detailOf(*project.network), !thin.isEmpty()));
+    m_inside->setToolTip((thin + ' ' + tr("Model → Inside… chooses what fills the organ")).trimmed());
     m_size->setText(millimetres(box.sizes(), QStringLiteral(" × ")));
     m_centre->setText(millimetres(box.center(), QStringLiteral(", ")));
     const QString warnings = [&] {

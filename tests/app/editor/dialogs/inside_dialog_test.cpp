@@ -34,13 +34,14 @@ struct ShownInside {
         ASSERT_GE(place, 0) << kind.toStdString();
         box->setCurrentIndex(place);
     }
-    void type(const QString& spacing) const {
-        auto* field = child<NumberField>("insideSpacing");
+    void type(const QString& number, const char* name = "insideSpacing") const {
+        auto* field = child<NumberField>(name);
         field->setFocus();
         field->selectAll();
-        QTest::keyClicks(field, spacing);
+        QTest::keyClicks(field, number);
         field->takeTyped();
     }
+    bool takesNumber(const char* name) const { return child<NumberField>(name)->isEnabled(); }
 
     InsideDialog dialog;
 };
@@ -74,6 +75,71 @@ TEST(InsideDialog, FollowsKindAndSpacing) {
     EXPECT_FALSE(shown.child<NumberField>("insideSpacing")->isEnabled());
     EXPECT_EQ(shown.dialog.detail(), Detail());
     EXPECT_FALSE(shown.scene().network->lattice);
+}
+
+TEST(InsideDialog, GivesAnOpenOrganAWallAsThickAsItsWallIs) {
+    Project open = ball(true);
+    open.base.wallThickness = 0.004;
+    const ShownInside shown(open);
+    shown.choose("hollow, with a wall of prisms");
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, (LatticeFilling{LatticeKind::Prisms, 0, 0.004, 2}));
+    EXPECT_EQ(shown.scene().network->lattice->filling, *shown.dialog.detail().filling);
+    EXPECT_TRUE(shown.text("insideRefusal").isEmpty()) << shown.text("insideRefusal").toStdString();
+    EXPECT_TRUE(shown.text("insideCounts").contains("MB of memory"));
+    EXPECT_TRUE(shown.text("insideCounts").contains("about 9 × that of the hollow organ"))
+        << shown.text("insideCounts").toStdString();
+}
+
+TEST(InsideDialog, FollowsThicknessAndLayers) {
+    const ShownInside shown(ball());
+    EXPECT_FALSE(shown.takesNumber("insideThickness"));
+    EXPECT_FALSE(shown.takesNumber("insideLayers"));
+    shown.choose("hollow, with a wall of prisms");
+    EXPECT_TRUE(shown.takesNumber("insideThickness"));
+    EXPECT_FALSE(shown.takesNumber("insideSpacing"));
+    shown.type("10", "insideThickness");
+    ESM_EVENTUALLY(shown.mayFill());
+    const LatticeFilling thick = *shown.dialog.detail().filling;
+    EXPECT_EQ(thick.wallThickness, 0.01);
+    EXPECT_GT(thick.layers, 2) << "as many as are usual for so thick a wall";
+    shown.type("1", "insideLayers");
+    ESM_EVENTUALLY(shown.mayFill());
+    shown.type("8", "insideThickness");
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, (LatticeFilling{LatticeKind::Prisms, 0, 0.008, 1}))
+        << "what was typed stays";
+    EXPECT_EQ(shown.scene().network->lattice->filling, *shown.dialog.detail().filling);
+}
+
+TEST(InsideDialog, SaysWhereAWallHasNoRoom) {
+    const ShownInside shown(ball());
+    shown.choose("hollow, with a wall of prisms");
+    shown.type("38", "insideThickness");
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_TRUE(shown.text("insideRefusal").contains("vertices have a thinner wall than asked for"))
+        << shown.text("insideRefusal").toStdString();
+    shown.type("100", "insideThickness");
+    ESM_EVENTUALLY(shown.text("insideRefusal").contains("A wall of 100 mm is too thick"));
+    EXPECT_FALSE(shown.mayFill());
+    EXPECT_TRUE(shown.text("insideCounts").isEmpty());
+}
+
+TEST(InsideDialog, OpensWithTheWallOfTheOrgan) {
+    const Detail walled{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.003, 1}};
+    const ShownInside shown(withDetail(ball(), walled));
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, walled.filling);
+}
+
+TEST(InsideDialog, OpensWithAWallWhereTheSurfaceIsOpen) {
+    TriangleMesh mesh = test::ball(0.04, {0, 0, 0});
+    mesh.triangles.pop_back();
+    RepairReport report;
+    report.boundaryEdges = 3;
+    const ShownInside shown(makeProject("open ball", {std::move(mesh), report}));
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_EQ(shown.dialog.detail().filling, (LatticeFilling{LatticeKind::Prisms, 0, 0.003, 2}));
 }
 
 TEST(InsideDialog, OpensWithWhatFillsTheOrgan) {

@@ -1,6 +1,8 @@
+#include "app/editor/window/edit_controller.h"
 #include "app/editor/workers/preview.h"
 #include "app/editor/workers/preview_loads.h"
 #include "core/authoring/fluids.h"
+#include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
 #include "tests/support/solid_surfaces.h"
@@ -133,6 +135,39 @@ TEST_F(SimulatedNodesTest, FillABodyAndCanBeTakenBack) {
     window->document().undoStack()->undo();
     EXPECT_EQ(project().network->restPositions.size(), hollow);
     EXPECT_FALSE(project().network->lattice);
+}
+
+TEST_F(SimulatedNodesTest, OfAWallOfPrismsAreThoseOfItsSurface) {
+    open(makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}}));
+    const std::size_t hollow = project().network->restPositions.size();
+    script.expectNamed("insideDialog", [](QDialog* dialog) {
+        auto* kind = dialog->findChild<QComboBox*>("insideKind");
+        kind->setCurrentIndex(kind->count() - 1);
+        auto* make = dialog->findChild<QPushButton*>("insideAccept");
+        ESM_EVENTUALLY(make->isEnabled());
+        make->click();
+    });
+    window->windowActions().chooseInside->trigger();
+    ASSERT_TRUE(script.isDone());
+    EXPECT_EQ(project().network->restPositions.size(), 3 * hollow);
+    EXPECT_EQ(child<QLabel>("modelInside")->text(), "wall, 3.0 mm");
+    const QAction* chooseDetail = window->windowActions().chooseDetail;
+    EXPECT_FALSE(chooseDetail->isEnabled());
+    EXPECT_TRUE(chooseDetail->toolTip().contains("wall of prisms")) << chooseDetail->toolTip().toStdString();
+    window->findChild<EditController*>()->simulateNodes(200);
+    EXPECT_EQ(window->document().undoStack()->count(), 1) << "fewer nodes do not exist";
+    window->document().undoStack()->undo();
+    EXPECT_EQ(project().network->restPositions.size(), hollow);
+    EXPECT_TRUE(chooseDetail->isEnabled());
+}
+
+TEST_F(SimulatedNodesTest, SayWhereAWallIsOftenThinnerThanAskedFor) {
+    const Detail thick{Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.038, 2}};
+    open(withDetail(makeProject("ball", {test::ball(0.04, {0, 0, 0}), {}}), thick));
+    const auto* inside = child<QLabel>("modelInside");
+    EXPECT_EQ(inside->text(), "wall, up to 38 mm");
+    EXPECT_TRUE(inside->toolTip().contains("have a thinner wall than asked for"))
+        << inside->toolTip().toStdString();
 }
 
 TEST_F(SimulatedNodesTest, AskBeforeALatticeTakesTheRoomOfAFluid) {

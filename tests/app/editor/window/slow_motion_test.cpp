@@ -1,5 +1,6 @@
 #include "app/editor/window/slow_motion.h"
 
+#include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 
 #include <gtest/gtest.h>
@@ -91,6 +92,15 @@ TEST_F(SlowMotionTest, TakenAwayItStaysAwayUntilThereIsAnotherOrgan) {
 TEST_F(SlowMotionTest, WhatCannotHaveFewerNodesIsOfferedNone) {
     document.replace(makeSample("tube"), std::nullopt); // 170 nodes
     showForLong(0.4);
+    EXPECT_TRUE(isSaid());
+    EXPECT_FALSE(help()->isVisible());
+}
+
+TEST_F(SlowMotionTest, AWallOfPrismsIsOfferedNone) {
+    document.replace(withDetail(makeSample("liver"),
+                                {Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.003, 2}}),
+                     std::nullopt);
+    showForLong(0.1);
     EXPECT_TRUE(isSaid());
     EXPECT_FALSE(help()->isVisible());
 }
