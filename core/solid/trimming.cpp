@@ -150,7 +150,9 @@ bool leavesBody(const BodyQuery& query, const BodySegment& segment, double spaci
     const double length = along.norm(), margin = 1e-4 * length; // nodes touch the surface at any angle
     const auto placeAt = [&](double way) -> Vector3d { return segment.from + way * direction; };
     const auto isOutside = [&](double begin, double end, const Vector3d& out, const Vector3d& in) {
-        if (out.dot(direction) > steep && in.dot(direction) < -steep && out.dot(in) < facing) return true;
+        // A surface that runs through itself has such walls around what lies within twice.
+        if (out.dot(direction) > steep && in.dot(direction) < -steep && out.dot(in) < facing)
+            return !query.contains(placeAt((begin + end) / 2));
         // The distance to the surface changes no faster than the way goes on.
         const double deepest = deepestChord * spacing;
         for (double at = begin; at < end;) {

@@ -5,6 +5,7 @@
 #include "core/solid/relaxation.h"
 #include "core/solid/trimming.h"
 #include "core/support/errors.h"
+#include "tests/support/crossed_ball.h"
 #include "tests/support/fitted_lattice.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/solid_surfaces.h"
@@ -131,6 +132,41 @@ TEST(FilledBody, FillsEveryClosedOrganThatIsHere) {
     }
 }
 
+TEST(FilledBody, PassesOverASmallPlaceWhereTheSurfaceRunsThroughItself) {
+    const TriangleMesh mesh = test::crossedBall();
+    for (const LatticeKind kind : stiffKinds) {
+        const FilledBody filled = fillBody(mesh, {kind, 0.12});
+        expectSound(mesh, filled, 0.12);
+        EXPECT_EQ(rigidityOf(filled.nodes, filled.springs).floppyModes, 0U) << wordOf(kind);
+        const double without = volumeError(fillBody(test::ball(1, {0, 0, 0}, 48), {kind, 0.12}));
+        EXPECT_NEAR(volumeError(filled), without, 0.002) << wordOf(kind);
+        const NarrowCrossings crossings = estimateLattice(mesh, {kind, 0.12}).crossings;
+        EXPECT_EQ(crossings.places, 1U);
+        EXPECT_NEAR(crossings.width, 0.04, 0.02);
+    }
+    EXPECT_EQ(estimateLattice(test::torus(), {LatticeKind::Cubic, 0.05}).crossings.places, 0U);
+}
+
+TEST(FilledBody, PassesOverTheSmallCrossingsOfOrgans) {
+    struct Organ {
+        const char* name;
+        std::size_t crossings;
+    };
+    for (const auto& [name, crossings] : {Organ{"liver-smoothUV.obj", 1}, Organ{"VH_F_Skin.glb", 2}}) {
+        const auto file = sharedData("meshes") / name;
+        ESM_SKIP_WITHOUT(file);
+        const TriangleMesh mesh = repair(readMeshFile(file)).mesh;
+        SCOPED_TRACE(name);
+        const LatticeFilling filling = fillingOf(mesh, LatticeKind::BodyCentred);
+        EXPECT_EQ(narrowCrossings(mesh, filling).places, crossings);
+        const FilledBody filled = fillBody(mesh, filling);
+        expectSound(mesh, filled, filling.spacing);
+        const Rigidity rigidity = rigidityOf(filled.nodes, filled.springs);
+        EXPECT_EQ(rigidity.bodies, 1U);
+        EXPECT_EQ(rigidity.floppyModes, 0U);
+    }
+}
+
 TEST(FilledBody, IsTheSameOnAnyNumberOfThreads) {
     const TriangleMesh mesh = lumpySurface(30, 60);
     const FilledBody many = fillBody(mesh, {LatticeKind::BodyCentred, 0.008});
@@ -170,6 +206,23 @@ TEST(FilledBody, RefusesWhatCannotBeFilled) {
     EXPECT_THAT(tooFine, HasSubstr("million nodes and"));
     EXPECT_THAT(tooFine, HasSubstr("GB of memory"));
     EXPECT_THAT(refusal(flatSquare(1, 4), {LatticeKind::Cubic, 0.1}), HasSubstr("the surface is open"));
+}
+
+TEST(FilledBody, RefusesWidePlacesWhereTheSurfaceRunsThroughItself) {
+    const TriangleMesh mesh = test::crossedBall();
+    const std::string tooFine = refusal(mesh, {LatticeKind::BodyCentred, 0.03});
+    EXPECT_THAT(tooFine, HasSubstr("the surface runs through itself"));
+    const std::string::size_type number = tooFine.find("choose a spacing of ");
+    ASSERT_NE(number, std::string::npos) << tooFine;
+    const double enough = std::stod(tooFine.substr(number + 20)) / 1000;
+    EXPECT_GT(enough, 0.03);
+    EXPECT_EQ(narrowCrossings(mesh, {LatticeKind::BodyCentred, enough}).places, 1U);
+    TriangleMesh balls = test::ball(1, {0, 0, 0});
+    test::append(balls, test::ball(1, {1.1, 0.05, 0.02}));
+    const std::string wide = refusal(balls, {LatticeKind::BodyCentred, 0.3});
+    EXPECT_THAT(wide, HasSubstr("the surface runs through itself"));
+    EXPECT_THAT(wide, testing::Not(HasSubstr("choose a spacing")));
+    EXPECT_THAT(wide, HasSubstr("part or join them"));
 }
 
 TEST(LatticeEstimate, IsWithinAQuarterOfWhatComesOut) {
