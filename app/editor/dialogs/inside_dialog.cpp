@@ -75,11 +75,24 @@ QString firmnessText(const Project& project, LatticeKind kind) {
     return text.arg(numberText(project.base.springConstant), numberText(modulus / 1000, 3));
 }
 
-/// Where the organ leaves no room for what was asked; empty else.
-QString finerText(const FoundInside& found) {
-    if (found.estimate.spacing > 0.99 * found.filling.spacing) return {};
-    return QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
-        .arg(numberText(1000 * found.estimate.spacing, 2));
+/// Where the organ leaves no room for what was asked, and what of its surface is passed over; empty else.
+QString noticeText(const FoundInside& found) {
+    QStringList notices;
+    if (found.estimate.spacing < 0.99 * found.filling.spacing)
+        notices += QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
+                       .arg(numberText(1000 * found.estimate.spacing, 2));
+    const auto& [places, width] = found.estimate.crossings;
+    const QString across = numberText(1000 * width, 2);
+    if (places == 1)
+        notices +=
+            QObject::tr("The surface runs through itself in one place, %1 mm across. The lattice passes "
+                        "over it.")
+                .arg(across);
+    else if (places > 1)
+        notices += QObject::tr("The surface runs through itself in %1 places, %2 mm across at most. The "
+                               "lattice passes over them.")
+                       .arg(countText(places), across);
+    return notices.join(QLatin1Char(' '));
 }
 
 } // namespace
@@ -219,7 +232,7 @@ void InsideDialog::showFound(const FoundInside& found, bool isDone) {
     // Rigid tissue is told by other numbers, which a filled organ does not keep.
     if (detailOf(*m_project.network).kind != Detail::Kind::Rigid)
         m_firmness->setText(firmnessText(m_project, found.filling.kind));
-    m_refusal->setText(finerText(found));
+    m_refusal->setText(noticeText(found));
     const QString memory = tr("%1 MB of memory while it is filled")
                                .arg(numberText(std::max(1.0, found.estimate.bytes / 1e6), 2));
     if (!isDone || !found.network) {
