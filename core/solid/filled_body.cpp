@@ -93,9 +93,9 @@ void refuseWide(const std::vector<ClosedBody>& bodies, double spacing,
     const double enough = narrowingSpacing(bodies, spacing, widest);
     throw InvalidModel(
         "the surface runs through itself: " + std::to_string(pairs) +
-        " pairs of triangles meet, the most near " + placeText(widest.place) + " where they are " +
+        " pairs of triangles meet; in the widest place, near " + placeText(widest.place) + ", that is " +
         inMillimetres(widest.width, 2) + " across, and a spacing of " + inMillimetres(spacing, 3) +
-        " passes over " + inMillimetres(widest.spacing / 2, 2) + "; " +
+        " passes over " + inMillimetres(widest.spacing / 2, 2) + " at most; " +
         (enough > 0 ? "choose a spacing of " + inMillimetres(enough, 2) + " or more, " : std::string()) +
         partOrJoinThem);
 }
@@ -168,13 +168,13 @@ bool hasSpringsAcross(LatticeKind kind) {
 }
 
 /// Springs that are no edges of tetrahedra may leave where none of these does.
-void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double spacing) {
+void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double deepest) {
     const auto leaves = [&](const FittedSpring& spring) {
         auto [first, second, constant] = spring.spring;
         const StuffedLattice& lattice = fitted.lattice;
         if (lattice.isOnSurface[first]) std::swap(first, second);
         return leavesBody(query, {lattice.nodes[first], lattice.nodes[second], !lattice.isOnSurface[first]},
-                          spacing);
+                          deepest);
     };
     fitted.springs.erase(std::remove_if(fitted.springs.begin(), fitted.springs.end(), leaves),
                          fitted.springs.end());
@@ -185,15 +185,16 @@ void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double spacing) 
 Fitted fitted(const ClosedBody& body, LatticeKind kind, double spacing, const Progress& progress) {
     ProgressParts parts(progress);
     const BodyQuery query(body);
+    const double deepest = deepestChord(kind, spacing);
     BackgroundLattice background = uniformLattice(kind, spacing, body, query, parts.next(0.25));
     Fitted result;
     StuffedLattice& lattice = result.lattice = stuffed(background, query, parts.next(0.1));
-    trim(lattice, std::vector<char>(lattice.nodes.size(), 1), query, spacing, parts.next(0.15));
+    trim(lattice, std::vector<char>(lattice.nodes.size(), 1), query, deepest, parts.next(0.15));
     const std::vector<Eigen::Vector3d> before = lattice.nodes;
     relax(lattice, fittedSprings(background, lattice), query, spacing, parts.next(0.3));
-    trim(lattice, movedNodes(before, lattice.nodes), query, spacing, parts.next(0.15));
+    trim(lattice, movedNodes(before, lattice.nodes), query, deepest, parts.next(0.15));
     result.springs = fittedSprings(background, lattice);
-    if (hasSpringsAcross(kind)) dropLeavingSprings(result, query, spacing);
+    if (hasSpringsAcross(kind)) dropLeavingSprings(result, query, deepest);
     reportProgress(parts.rest(), 1);
     return result;
 }

@@ -50,12 +50,12 @@ LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& 
 NarrowCrossings narrowCrossings(const TriangleMesh& mesh, const LatticeFilling& filling);
 
 /// Fills every body that a closed surface encloses with a lattice of its own. Nodes lie within or on the
-/// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Where the
-/// surface runs through itself more narrowly than half the spacing (`Crossing`) a node may lie as deep
-/// outside as a spring may. Constants are relative to one between nearest neighbours of the lattice, and such
-/// that tissue has the same modulus everywhere
-/// (`elasticityOf()`): less at the surface, where a spring has tissue on one side alone. Bodies too small for
-/// the spacing get a finer lattice. The same input gives the same result on any number of threads.
+/// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Where the surface runs
+/// through itself in narrow places (`Crossing`) a node may lie outside by a quarter of the spacing. Constants
+/// are relative to one between nearest neighbours of the lattice, and such that tissue has the same modulus
+/// everywhere (`elasticityOf()`): less at the surface, where a spring has tissue on one side alone. Bodies
+/// too small for the spacing get a finer lattice. The same input gives the same result on any number of
+/// threads.
 /// @throws InvalidModel for a spacing that is no positive number, is wider than the organ or needs more than
 /// `mostLatticeNodes`, and for a surface that is open, runs through itself more widely, or encloses nothing
 /// @throws Cancelled
