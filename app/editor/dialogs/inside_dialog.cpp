@@ -162,7 +162,9 @@ void InsideDialog::addQuestions(QVBoxLayout* column) {
         form->addRow(label);
     column->addLayout(form);
     column->addStretch();
-    m_about->setFixedWidth(320);
+    // A long refusal would push the picture aside.
+    for (QLabel* label : {m_about, m_counts, m_firmness, m_refusal})
+        label->setFixedWidth(320);
 }
 
 void InsideDialog::addButtons(QVBoxLayout* column) {
