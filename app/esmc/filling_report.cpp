@@ -21,6 +21,14 @@ std::string fillingText(const LatticeFilling& filling) {
     return std::string(wordOf(filling.kind)) + " lattice, spacing " + inText(filling.spacing) + " m";
 }
 
+void addCrossings(Report& report, const NarrowCrossings& crossings) {
+    report.json["crossings"] = {{"places", crossings.places}, {"width", crossings.width}};
+    if (crossings.places == 0) return;
+    report.text.push_back("the surface runs through itself at " + counted(crossings.places, "place") + ", " +
+                          inText(1000 * crossings.width) +
+                          " mm across at most: the lattice passes over that");
+}
+
 void addWall(Report& report, const SpringNetwork& network, std::size_t triangles) {
     const WallFit fit = wallFitOf(network.restPositions, *network.lattice, triangles);
     double volume = 0;

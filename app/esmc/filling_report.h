@@ -2,6 +2,7 @@
 
 #include "app/esmc/report.h"
 #include "core/model/spring_network.h"
+#include "core/solid/filled_body.h"
 
 #include <string>
 
@@ -12,6 +13,10 @@ void addFilling(Json& json, const LatticeFilling& filling);
 
 /// "cubic lattice, spacing 0.01 m", "wall of prisms, 0.003 m in 1 layer"
 std::string fillingText(const LatticeFilling& filling);
+
+/// `crossings`: at how many `places` the surface runs through itself too narrowly for the lattice to see, and
+/// the `width` of the widest, m.
+void addCrossings(Report& report, const NarrowCrossings& crossings);
 
 /// `wall`: what a wall of prisms came to; its `volume` (m³), at how many vertices it is thinner than asked
 /// for (`shortened`), and how thick it is where it is thinnest (`least_thickness`, m), and under how many

@@ -2,6 +2,7 @@
 #include "app/esmc/bending_option.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/filling_options.h"
+#include "app/esmc/filling_report.h"
 #include "app/esmc/model_report.h"
 #include "core/authoring/import_unit.h"
 #include "core/exchange/meshes/mesh_file.h"
@@ -140,7 +141,10 @@ Report runImport(const ImportOptions& options, Context& context) {
     Project project = makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface),
                                   options.mass, detail, progressOf(context, "building"));
     setBending(project, options.bending);
-    return saveAndReport(project, output);
+    Report report = saveAndReport(project, output);
+    if (detail.filling && !isWall(*detail.filling))
+        addCrossings(report, narrowCrossings(*project.mesh, *detail.filling));
+    return report;
 }
 
 } // namespace

@@ -50,6 +50,7 @@ Report estimateReport(const Project& project, const LatticeFilling& filling) {
         counted(whole(estimate.nodes), "node") + ", " + counted(whole(estimate.springs), "spring") + ", " +
         counted(whole(estimate.tetrahedra), "tetrahedron", "tetrahedra") + "; filling takes about " +
         std::to_string(whole(estimate.bytes / 1e6)) + " MB of memory");
+    if (!isWall(filling)) addCrossings(report, estimate.crossings);
     std::vector<std::string> warnings;
     if (!isWall(filling) && estimate.spacing < 0.99 * filling.spacing)
         warnings.push_back("the organ is too thin for that spacing: neighbours would lie about " +
@@ -71,7 +72,9 @@ Report runInside(const InsideOptions& options, Context& context) {
     if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
     if (!output) return estimateReport(opened, *filling);
     const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : hollowDetail(opened);
-    return saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
+    Report report = saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
+    if (filling && !isWall(*filling)) addCrossings(report, narrowCrossings(*opened.mesh, *filling));
+    return report;
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -38,8 +39,8 @@ void refuseIntersecting(const TriangleMesh& mesh) {
     const SelfIntersections found = selfIntersectionsOf(mesh);
     if (found.pairs > 0)
         throw InvalidModel("the surface runs through itself: " + std::to_string(found.pairs) +
-                           " pairs of triangles meet, the first at " + placeText(found.first) +
-                           "; part or join them in a modelling program, or keep the organ hollow, as a wall");
+                           " pairs of triangles meet, the first at " + placeText(found.first) + "; " +
+                           partOrJoinThem);
 }
 
 /// A connected part of the surface, facing outwards by itself.
@@ -113,12 +114,11 @@ std::string placeText(const Vector3d& place) {
            roundedText(place.z(), 4) + ") m";
 }
 
-// Shells do not run through each other, so that each lies in another whole or not at all, and one point
-// tells. Within an even number of others a shell has tissue inside; within an odd number it is the wall of a
-// cavity, of the one around it that lies within one fewer.
+// Each shell lies in another whole or not at all, and one point tells; where they run through each other,
+// what lies beyond is narrow or will be refused. Within an even number of others a shell has tissue inside;
+// within an odd number it is the wall of a cavity, of the one around it that lies within one fewer.
 std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh) {
     refuseOpen(mesh, countEdges(sidesByEdge(mesh.triangles)));
-    refuseIntersecting(mesh);
     std::vector<SurfaceShell> shells = shellsOf(mesh);
     const auto around = shellsAround(shells);
     std::vector<ClosedBody> bodies;
@@ -128,14 +128,20 @@ std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh) {
             bodyOf[i] = bodies.size();
             append(bodies.emplace_back(ClosedBody{{}, {}, 0, 0}), shells[i], false);
         }
-    for (std::size_t i = 0; i < shells.size(); ++i)
-        for (const std::size_t outer : around[i])
-            if (around[i].size() % 2 == 1 && around[outer].size() + 1 == around[i].size())
-                append(bodies[bodyOf[outer]], shells[i], true);
+    for (std::size_t i = 0; i < shells.size(); ++i) {
+        if (around[i].size() % 2 == 0) continue;
+        const auto outer = std::find_if(around[i].begin(), around[i].end(), [&](std::size_t shell) {
+            return around[shell].size() + 1 == around[i].size();
+        });
+        if (outer == around[i].end()) refuseIntersecting(mesh);
+        append(bodies[bodyOf[*outer]], shells[i], true);
+    }
     for (const ClosedBody& body : bodies)
-        if (!(body.volume > 1e-9 * std::pow(body.area, 1.5)))
+        if (!(body.volume > 1e-9 * std::pow(body.area, 1.5))) {
+            refuseIntersecting(mesh);
             throw InvalidModel("a part of the surface encloses nothing that could be filled, near " +
                                placeText(body.surface.vertices.front()) + "; leave it out at import");
+        }
     if (bodies.empty()) throw InvalidModel("there is no surface to fill");
     return bodies;
 }

@@ -18,9 +18,14 @@ struct ClosedBody {
 };
 
 /// The bodies that a closed surface encloses, in the order of their first triangles. A part within a body is
-/// a cavity of it, one within a cavity a body of its own, whichever way each faces.
-/// @throws InvalidModel where the surface is open, has no inside, runs through itself or encloses nothing
+/// a cavity of it, one within a cavity a body of its own, whichever way each faces. Whether the surface runs
+/// through itself tells `crossingsOf()`; the volume then counts twice what lies within twice.
+/// @throws InvalidModel where the surface is open, has no inside, or encloses nothing
 std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh);
+
+/// What can be done where triangles meet: the end of a sentence.
+inline constexpr const char* partOrJoinThem =
+    "part or join them in a modelling program, or keep the organ hollow, as a wall";
 
 /// "(0.1, 0.2, 0.3) m"
 std::string placeText(const Eigen::Vector3d& place);

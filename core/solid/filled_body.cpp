@@ -1,5 +1,6 @@
 #include "core/solid/filled_body.h"
 
+#include "core/solid/crossings.h"
 #include "core/solid/lattice_springs.h"
 #include "core/solid/prism_wall.h"
 #include "core/solid/relaxation.h"
@@ -47,6 +48,74 @@ void refuseTooWide(const std::vector<ClosedBody>& bodies, double spacing) {
         throw InvalidModel("a spacing of " + inMillimetres(spacing, 3) +
                            " is wider than the organ, which is about " + inMillimetres(thick, 3) +
                            " thick; choose " + inMillimetres(thick / 4, 2) + " or less");
+}
+
+// A thin body has a finer lattice than was asked for, and that one must not see the crossing.
+std::vector<Crossing> crossingsAt(const std::vector<ClosedBody>& bodies, double spacing) {
+    std::vector<double> spacings;
+    spacings.reserve(bodies.size());
+    for (const ClosedBody& body : bodies)
+        spacings.push_back(spacingWithin(body, spacing));
+    return crossingsOf(bodies, spacings);
+}
+
+const Crossing* widestOf(const std::vector<Crossing>& crossings) {
+    const auto widest =
+        std::max_element(crossings.begin(), crossings.end(), [](const Crossing& one, const Crossing& other) {
+            return one.width / one.spacing < other.width / other.spacing;
+        });
+    return widest == crossings.end() ? nullptr : &*widest;
+}
+
+// Of a wide crossing no more is known than that it is: what is misplaced beyond it is not looked for. So each
+// spacing that would do by what is known is tried.
+/// The finest to two digits that sees no crossing, m; 0 where the organ is too thin for such a one.
+double narrowingSpacing(const std::vector<ClosedBody>& bodies, double spacing, const Crossing& widest) {
+    double least = 2 * widest.width;
+    while (least > spacing && least <= 2 * thickness(largestOf(bodies))) {
+        const double digit = std::pow(10, std::floor(std::log10(least)) - 1);
+        spacing = digit * std::ceil(least / digit);
+        const std::vector<Crossing> crossings = crossingsAt(bodies, spacing);
+        const Crossing& left = *widestOf(crossings);
+        if (left.isNarrow()) return spacing;
+        least = 2 * left.width;
+    }
+    return 0;
+}
+
+void refuseWide(const std::vector<ClosedBody>& bodies, double spacing,
+                const std::vector<Crossing>& crossings) {
+    const Crossing& widest = *widestOf(crossings);
+    if (widest.isNarrow()) return;
+    std::size_t pairs = 0;
+    for (const Crossing& crossing : crossings)
+        pairs += crossing.pairs;
+    const double enough = narrowingSpacing(bodies, spacing, widest);
+    throw InvalidModel(
+        "the surface runs through itself: " + std::to_string(pairs) +
+        " pairs of triangles meet; in the widest place, near " + placeText(widest.place) + ", that is " +
+        inMillimetres(widest.width, 2) + " across, and a spacing of " + inMillimetres(spacing, 3) +
+        " passes over " + inMillimetres(widest.spacing / 2, 2) + " at most; " +
+        (enough > 0 ? "choose a spacing of " + inMillimetres(enough, 2) + " or more, " : std::string()) +
+        partOrJoinThem);
+}
+
+/// @throws InvalidModel for wide ones
+NarrowCrossings narrowCrossings(const std::vector<ClosedBody>& bodies, double spacing) {
+    const std::vector<Crossing> crossings = crossingsAt(bodies, spacing);
+    if (crossings.empty()) return {};
+    refuseWide(bodies, spacing, crossings);
+    const auto widest =
+        std::max_element(crossings.begin(), crossings.end(),
+                         [](const auto& one, const auto& other) { return one.width < other.width; });
+    return {crossings.size(), widest->width};
+}
+
+std::vector<ClosedBody> bodiesToFill(const TriangleMesh& mesh, const LatticeFilling& filling) {
+    checkFilling(filling);
+    std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
+    refuseTooWide(bodies, filling.spacing);
+    return bodies;
 }
 
 void refuseTooMany(const LatticeEstimate& estimate, const LatticeFilling& filling) {
@@ -99,13 +168,13 @@ bool hasSpringsAcross(LatticeKind kind) {
 }
 
 /// Springs that are no edges of tetrahedra may leave where none of these does.
-void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double spacing) {
+void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double deepest) {
     const auto leaves = [&](const FittedSpring& spring) {
         auto [first, second, constant] = spring.spring;
         const StuffedLattice& lattice = fitted.lattice;
         if (lattice.isOnSurface[first]) std::swap(first, second);
         return leavesBody(query, {lattice.nodes[first], lattice.nodes[second], !lattice.isOnSurface[first]},
-                          spacing);
+                          deepest);
     };
     fitted.springs.erase(std::remove_if(fitted.springs.begin(), fitted.springs.end(), leaves),
                          fitted.springs.end());
@@ -116,15 +185,16 @@ void dropLeavingSprings(Fitted& fitted, const BodyQuery& query, double spacing) 
 Fitted fitted(const ClosedBody& body, LatticeKind kind, double spacing, const Progress& progress) {
     ProgressParts parts(progress);
     const BodyQuery query(body);
+    const double deepest = deepestChord(kind, spacing);
     BackgroundLattice background = uniformLattice(kind, spacing, body, query, parts.next(0.25));
     Fitted result;
     StuffedLattice& lattice = result.lattice = stuffed(background, query, parts.next(0.1));
-    trim(lattice, std::vector<char>(lattice.nodes.size(), 1), query, spacing, parts.next(0.15));
+    trim(lattice, std::vector<char>(lattice.nodes.size(), 1), query, deepest, parts.next(0.15));
     const std::vector<Eigen::Vector3d> before = lattice.nodes;
     relax(lattice, fittedSprings(background, lattice), query, spacing, parts.next(0.3));
-    trim(lattice, movedNodes(before, lattice.nodes), query, spacing, parts.next(0.15));
+    trim(lattice, movedNodes(before, lattice.nodes), query, deepest, parts.next(0.15));
     result.springs = fittedSprings(background, lattice);
-    if (hasSpringsAcross(kind)) dropLeavingSprings(result, query, spacing);
+    if (hasSpringsAcross(kind)) dropLeavingSprings(result, query, deepest);
     reportProgress(parts.rest(), 1);
     return result;
 }
@@ -180,19 +250,23 @@ LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double node
 
 LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling) {
     if (isWall(filling)) return estimateWall(mesh, filling);
-    checkFilling(filling);
-    const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
-    refuseTooWide(bodies, filling.spacing);
-    return estimateOf(bodies, filling);
+    const std::vector<ClosedBody> bodies = bodiesToFill(mesh, filling);
+    LatticeEstimate estimate = estimateOf(bodies, filling);
+    estimate.crossings = narrowCrossings(bodies, filling.spacing);
+    return estimate;
+}
+
+NarrowCrossings narrowCrossings(const TriangleMesh& mesh, const LatticeFilling& filling) {
+    if (isWall(filling)) return {};
+    return narrowCrossings(bodiesToFill(mesh, filling), filling.spacing);
 }
 
 // A lattice over the body is cut to its surface, relaxed, and its springs set to rest where they are
 // [R 3.3.1.3]. Each body by itself, so that springs never join tissue across a gap between two.
 FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, const Progress& progress) {
     reportProgress(progress, 0);
-    checkFilling(filling);
-    const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
-    refuseTooWide(bodies, filling.spacing);
+    const std::vector<ClosedBody> bodies = bodiesToFill(mesh, filling);
+    narrowCrossings(bodies, filling.spacing);
     const LatticeEstimate whole = estimateOf(bodies, filling);
     refuseTooMany(whole, filling);
     ProgressParts parts(progress);

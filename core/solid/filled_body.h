@@ -17,11 +17,18 @@ struct FilledBody {
     double enclosedVolume = 0;             ///< of the surface, cavities left out, m³
 };
 
+/// Where the surface runs through itself, too narrowly for the lattice to see it.
+struct NarrowCrossings {
+    std::size_t places = 0;
+    double width = 0; ///< of the widest, m
+};
+
 /// What a filling comes to, within a quarter or so.
 struct LatticeEstimate {
     double nodes, springs, tetrahedra;
     double bytes;   ///< of memory while the body is filled
     double spacing; ///< of the largest body, m: what was asked for, or less where that is thin
+    NarrowCrossings crossings = {};
 };
 
 /// More nodes than this are refused.
@@ -31,20 +38,26 @@ inline constexpr double mostLatticeNodes = 1e6;
 inline constexpr double usualLatticeNodes = 3000;
 
 /// A lattice of about so many nodes, its spacing to two digits; of a thin body more.
-/// @throws InvalidModel for a surface that is open, runs through itself or encloses nothing
+/// @throws InvalidModel for a surface that is open or encloses nothing
 LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double nodes = usualLatticeNodes);
 
 /// Before anything is filled.
 /// @throws InvalidModel as fillBody() does, except where there would be too many nodes
 LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling);
 
+/// None for prisms, which leave out triangles that meet.
+/// @throws InvalidModel as `fillBody()` does for surface and spacing, except for too many nodes
+NarrowCrossings narrowCrossings(const TriangleMesh& mesh, const LatticeFilling& filling);
+
 /// Fills every body that a closed surface encloses with a lattice of its own. Nodes lie within or on the
-/// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Constants are relative to
-/// one between nearest neighbours of the lattice, and such that tissue has the same modulus everywhere
-/// (`elasticityOf()`): less at the surface, where a spring has tissue on one side alone. Bodies too small for
-/// the spacing get a finer lattice. The same input gives the same result on any number of threads.
+/// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Where the surface runs
+/// through itself in narrow places (`Crossing`) a node may lie outside by a quarter of the spacing. Constants
+/// are relative to one between nearest neighbours of the lattice, and such that tissue has the same modulus
+/// everywhere (`elasticityOf()`): less at the surface, where a spring has tissue on one side alone. Bodies
+/// too small for the spacing get a finer lattice. The same input gives the same result on any number of
+/// threads.
 /// @throws InvalidModel for a spacing that is no positive number, is wider than the organ or needs more than
-/// `mostLatticeNodes`, and for a surface that is open, runs through itself or encloses nothing
+/// `mostLatticeNodes`, and for a surface that is open, runs through itself more widely, or encloses nothing
 /// @throws Cancelled
 FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, const Progress& progress = {});
 

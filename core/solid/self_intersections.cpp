@@ -100,8 +100,12 @@ std::optional<Vector3d> piercing(const Vector3d& from, const Vector3d& to,
     return Vector3d(from + (to - from) * (above / (above - below)));
 }
 
-/// Where an edge of one triangle pierces the other. An edge at a corner of both only touches.
-std::optional<Vector3d> meeting(const TriangleMesh& mesh, const Triangle& one, const Triangle& other) {
+/// Where edges of one triangle pierce the other, each in turn until `isEnough(place)`. An edge at a corner of
+/// both only touches.
+template<typename IsEnough>
+void pierce(const TriangleMesh& mesh, std::uint32_t oneNumber, std::uint32_t otherNumber,
+            const IsEnough& isEnough) {
+    const Triangle &one = mesh.triangles[oneNumber], &other = mesh.triangles[otherNumber];
     const std::array<Vector3d, 3> corners{mesh.vertices[other[0]], mesh.vertices[other[1]],
                                           mesh.vertices[other[2]]};
     const auto isShared = [&](std::uint32_t vertex) {
@@ -110,9 +114,18 @@ std::optional<Vector3d> meeting(const TriangleMesh& mesh, const Triangle& one, c
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t from = one[i], to = one[(i + 1) % 3];
         if (isShared(from) || isShared(to)) continue;
-        if (auto place = piercing(mesh.vertices[from], mesh.vertices[to], corners)) return place;
+        const auto place = piercing(mesh.vertices[from], mesh.vertices[to], corners);
+        if (place && isEnough(*place)) return;
     }
-    return std::nullopt;
+}
+
+std::optional<Vector3d> meeting(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other) {
+    std::optional<Vector3d> first;
+    pierce(mesh, one, other, [&](const Vector3d& place) {
+        first = place;
+        return true;
+    });
+    return first;
 }
 
 /// Those of one stretch of cells, then those of the next.
@@ -135,13 +148,24 @@ std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh) {
         [&](const tbb::blocked_range<std::size_t>& cells, std::vector<MeetingTriangles> found) {
             for (std::size_t cell = cells.begin(); cell < cells.end(); ++cell)
                 grid.forEachPair(cell, [&](std::uint32_t one, std::uint32_t other) {
-                    auto place = meeting(mesh, mesh.triangles[one], mesh.triangles[other]);
-                    if (!place) place = meeting(mesh, mesh.triangles[other], mesh.triangles[one]);
+                    auto place = meeting(mesh, one, other);
+                    if (!place) place = meeting(mesh, other, one);
                     if (place) found.push_back({one, other, *place});
                 });
             return found;
         },
         both);
+}
+
+std::vector<Vector3d> piercings(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other) {
+    std::vector<Vector3d> places;
+    const auto add = [&](const Vector3d& place) {
+        places.push_back(place);
+        return false;
+    };
+    pierce(mesh, one, other, add);
+    pierce(mesh, other, one, add);
+    return places;
 }
 
 SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh) {

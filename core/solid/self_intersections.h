@@ -14,6 +14,10 @@ struct MeetingTriangles {
 };
 std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh);
 
+/// All places where an edge of one of two such triangles pierces the other: the ends of what both have in
+/// common.
+std::vector<Eigen::Vector3d> piercings(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other);
+
 /// How many such pairs there are.
 struct SelfIntersections {
     std::size_t pairs = 0;

@@ -3,6 +3,7 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/sorted_by_vertex.h"
 #include "core/solid/parallel_nodes.h"
+#include "core/solid/unit_cell.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double deepestChord = 0.25; ///< of the spacing
-constexpr double steep = 0.5;         ///< cosine between a spring and the normal of a wall that it crosses
-constexpr double facing = -0.7;       ///< cosine between the normals of two walls of a gap
+constexpr double steep = 0.5;   ///< cosine between a spring and the normal of a wall that it crosses
+constexpr double facing = -0.7; ///< cosine between the normals of two walls of a gap
 
 /// Every edge of the tetrahedra once, the smaller node first, in order.
 std::vector<Edge> edgesOf(const std::vector<Tetrahedron>& tetrahedra) {
@@ -34,7 +34,7 @@ std::vector<Edge> edgesOf(const std::vector<Tetrahedron>& tetrahedra) {
 
 /// The edges that leave the body, in order.
 std::vector<Edge> leavingEdges(const StuffedLattice& lattice, const std::vector<char>& isSuspect,
-                               const BodyQuery& query, double spacing, const Progress& progress) {
+                               const BodyQuery& query, double deepest, const Progress& progress) {
     const std::vector<Edge> edges = edgesOf(lattice.tetrahedra);
     std::vector<char> leaves(edges.size());
     forEachNode(edges.size(), progress, [&](std::size_t i) {
@@ -42,7 +42,7 @@ std::vector<Edge> leavingEdges(const StuffedLattice& lattice, const std::vector<
         if (!isSuspect[first] && !isSuspect[second]) return;
         if (lattice.isOnSurface[first]) std::swap(first, second);
         const BodySegment segment{lattice.nodes[first], lattice.nodes[second], !lattice.isOnSurface[first]};
-        leaves[i] = leavesBody(query, segment, spacing) ? 1 : 0;
+        leaves[i] = leavesBody(query, segment, deepest) ? 1 : 0;
     });
     std::vector<Edge> leaving;
     for (std::size_t i = 0; i < edges.size(); ++i)
@@ -142,21 +142,35 @@ void dropLooseNodes(StuffedLattice& lattice) {
 
 } // namespace
 
+// A chord lies as deep outside as its length squared over the bend's radius. A quarter of the spacing for all
+// kinds took more of a bent body from those with long springs: of ventricles, at 40 000 nodes, 0.5 % of the
+// volume of a cubic lattice and 1.4 % of a diamond one, and 0.3 % of a body-centred one.
+double deepestChord(LatticeKind kind, double spacing) {
+    // Bare diamond has diamond's tetrahedra, and at the surface springs along all of their edges.
+    const UnitCell& cell = unitCellOf(kind == LatticeKind::BareDiamond ? LatticeKind::Diamond : kind);
+    double longest = 0;
+    for (const CellSpring& spring : cell.springs)
+        longest = std::max(longest, (cell.placeOf(spring.second) - cell.sites[spring.first]).norm());
+    const double ofBodyCentred = 2 / std::sqrt(3.0);
+    return 0.25 * spacing * longest / ofBodyCentred;
+}
+
 // Along the way the surface is crossed out and in by turns. Of each stretch outside it is asked how deep it
 // lies, and for the walls where it begins and ends: those of a gap face each other, however narrow it is,
 // while over a dent that is smaller than the spacing they do not.
-bool leavesBody(const BodyQuery& query, const BodySegment& segment, double spacing) {
+bool leavesBody(const BodyQuery& query, const BodySegment& segment, double deepest) {
     const Vector3d along = segment.to - segment.from, direction = along.normalized();
     const double length = along.norm(), margin = 1e-4 * length; // nodes touch the surface at any angle
     const auto placeAt = [&](double way) -> Vector3d { return segment.from + way * direction; };
     const auto isOutside = [&](double begin, double end, const Vector3d& out, const Vector3d& in) {
-        if (out.dot(direction) > steep && in.dot(direction) < -steep && out.dot(in) < facing) return true;
+        // A surface that runs through itself has such walls around what lies within twice.
+        if (out.dot(direction) > steep && in.dot(direction) < -steep && out.dot(in) < facing)
+            return !query.contains(placeAt((begin + end) / 2));
         // The distance to the surface changes no faster than the way goes on.
-        const double deepest = deepestChord * spacing;
         for (double at = begin; at < end;) {
             const double distance = query.nearest(placeAt(at)).distance;
             if (distance > deepest) return !query.contains(placeAt(at));
-            at += std::max(deepest - distance, 0.01 * spacing);
+            at += std::max(deepest - distance, 0.04 * deepest);
         }
         return false;
     };
@@ -184,10 +198,10 @@ bool leavesBody(const BodyQuery& query, const BodySegment& segment, double spaci
 // Tetrahedra that share no face turn about a common edge or node like doors, and a lattice must hold together
 // as one body does: what hangs on the largest piece by less than a face goes. Where the spacing resolves the
 // organ nothing does.
-void trim(StuffedLattice& lattice, const std::vector<char>& isSuspect, const BodyQuery& query, double spacing,
+void trim(StuffedLattice& lattice, const std::vector<char>& isSuspect, const BodyQuery& query, double deepest,
           const Progress& progress) {
     ProgressParts parts(progress);
-    dropLeaving(lattice, leavingEdges(lattice, isSuspect, query, spacing, parts.next(0.7)));
+    dropLeaving(lattice, leavingEdges(lattice, isSuspect, query, deepest, parts.next(0.7)));
     if (!lattice.tetrahedra.empty()) keepLargestPiece(lattice);
     dropLooseNodes(lattice);
     reportProgress(parts.rest(), 1);

@@ -130,6 +130,22 @@ class InsideTest(Case):
         self.assertIn("open", self.fails(1, "import", opened, "--fill", "cubic", "-o", self.file("out.esm"), naming="open.obj"))
         self.assertFalse(self.file("out.esm").exists())
 
+    def test_a_surface_that_runs_through_itself_is_filled_where_that_is_small(self):
+        lines = surface().splitlines()
+        tip = [float(number) for number in lines[11 * 48].split()[1:]]
+        lines[11 * 48] = "v %r %r %r" % tuple(1.1 * x for x in tip)
+        lines[11 * 48 + 4] = "v %r %r %r" % tuple(1.045 * x for x in tip)
+        mesh = self.file("crossed.obj", "\n".join(lines) + "\n")
+        self.project = self.file("organ.esm")
+        done = self.done("import", mesh, "-o", self.project, "--fill", "body-centred", "--spacing", 0.01)
+        self.assertEqual(done["crossings"]["places"], 1)
+        self.assertLess(done["crossings"]["width"], 0.005)
+        self.assertEqual(self.filled("--fill", "body-centred", "--spacing", 0.01)["crossings"], done["crossings"])
+        self.assertEqual(self.done("inside", self.project, "--fill", "body-centred", "--spacing", 0.01)["crossings"], done["crossings"])
+        self.assertNotIn("crossings", self.filled("--fill", "none"))
+        told = self.fails(1, "inside", self.project, "--fill", "body-centred", "--spacing", 0.001, naming="organ.esm")
+        self.assertRegex(told, r"runs through itself: .* choose a spacing of [0-9.]+ mm or more")
+
     def test_options_that_contradict_are_refused(self):
         mesh, out = self.file("organ.obj", surface()), self.file("out.esm")
         self.fails(2, "import", mesh, "-o", out, "--fill", "cubic", "--detail", 200)

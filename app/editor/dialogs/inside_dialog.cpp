@@ -137,7 +137,9 @@ void InsideDialog::addQuestions(QVBoxLayout* column) {
         form->addRow(label);
     column->addLayout(form);
     column->addStretch();
-    m_about->setFixedWidth(320);
+    // A long refusal would push the picture aside.
+    for (QLabel* label : {m_about, m_cost, m_firmness, m_refusal})
+        label->setFixedWidth(320);
 }
 
 void InsideDialog::addButtons(QVBoxLayout* column) {
@@ -231,7 +233,7 @@ void InsideDialog::showFound(const FoundInside& found, bool isDone) {
     // Rigid tissue is told by other numbers, which a filled organ does not keep.
     if (detailOf(*m_project.network).kind != Detail::Kind::Rigid)
         m_firmness->setText(insideFirmness(m_project, found.filling.kind));
-    m_refusal->setText(lackOfRoom(found, m_project.mesh->triangles.size()));
+    m_refusal->setText(insideNotice(found, m_project.mesh->triangles.size()));
     m_cost->setText(insideCost(found, m_project.mesh->vertices.size()));
     if (!isDone) return m_view->setHint(tr("The inside is being made … %1 %").arg(qRound(100 * found.share)));
     if (!found.network) {

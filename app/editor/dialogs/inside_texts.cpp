@@ -7,6 +7,7 @@
 #include "widgets/inputs/number_text.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <algorithm>
 
@@ -35,6 +36,17 @@ QString thinnerText(const WallFit& fit) {
     if (fit.leftOut > 1)
         text += QObject::tr(" Under %1 triangles there is none.").arg(countText(fit.leftOut));
     return text.trimmed();
+}
+
+QString crossingsText(const NarrowCrossings& crossings) {
+    const QString across = numberText(1000 * crossings.width, 2);
+    if (crossings.places == 1)
+        return QObject::tr("The surface runs through itself in one place, %1 mm across. The lattice passes "
+                           "over it.")
+            .arg(across);
+    return QObject::tr("The surface runs through itself in %1 places, %2 mm across at most. The lattice "
+                       "passes over them.")
+        .arg(countText(crossings.places), across);
 }
 
 } // namespace
@@ -92,14 +104,17 @@ QString insideFirmness(const Project& project, LatticeKind kind) {
     return text.arg(numberText(project.base.springConstant), numberText(modulus / 1000, 3));
 }
 
-QString lackOfRoom(const FoundInside& found, std::size_t triangles) {
+QString insideNotice(const FoundInside& found, std::size_t triangles) {
     if (isWall(found.filling))
         return found.network
                    ? thinnerText(wallFitOf(found.network->restPositions, *found.network->lattice, triangles))
                    : QString();
-    if (found.estimate.spacing > 0.99 * found.filling.spacing) return {};
-    return QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
-        .arg(numberText(1000 * found.estimate.spacing, 2));
+    QStringList notices;
+    if (found.estimate.spacing < 0.99 * found.filling.spacing)
+        notices += QObject::tr("The organ is too thin for that: neighbours lie about %1 mm apart.")
+                       .arg(numberText(1000 * found.estimate.spacing, 2));
+    if (found.estimate.crossings.places > 0) notices += crossingsText(found.estimate.crossings);
+    return notices.join(QLatin1Char(' '));
 }
 
 } // namespace esm

@@ -20,9 +20,9 @@ QString insideCost(const FoundInside& found, std::size_t vertices);
 /// What tissue the springs of the whole organ then stand for.
 QString insideFirmness(const Project& project, LatticeKind kind);
 
-/// Where the organ leaves no room for what was asked; empty where there is room, and of a wall until it is
-/// made.
+/// Where the organ leaves no room for what was asked, and what of its surface is passed over; empty where
+/// there is neither, and of a wall until it is made.
 /// @param triangles of the organ
-QString lackOfRoom(const FoundInside& found, std::size_t triangles);
+QString insideNotice(const FoundInside& found, std::size_t triangles);
 
 } // namespace esm

@@ -39,13 +39,13 @@ TEST(LeavingTheBody, IsCrossingAGapHoweverNarrow) {
         const BodyQuery query(bodies[0]);
         const Vector3d left(-1, 3, 1.4), right(1, 2.9, 1.5), leftWall(-width / 2, 3, 1.4),
             rightWall(width / 2, 3, 1.4);
-        EXPECT_TRUE(leavesBody(query, {left, right, true}, 1)) << width;
-        EXPECT_TRUE(leavesBody(query, {left, rightWall, true}, 1)) << width;
-        EXPECT_TRUE(leavesBody(query, {leftWall, right, false}, 1)) << width;
-        EXPECT_TRUE(leavesBody(query, {leftWall, rightWall, false}, 1)) << width;
+        EXPECT_TRUE(leavesBody(query, {left, right, true}, 0.25)) << width;
+        EXPECT_TRUE(leavesBody(query, {left, rightWall, true}, 0.25)) << width;
+        EXPECT_TRUE(leavesBody(query, {leftWall, right, false}, 0.25)) << width;
+        EXPECT_TRUE(leavesBody(query, {leftWall, rightWall, false}, 0.25)) << width;
         // Below the slot, and along a wall.
-        EXPECT_FALSE(leavesBody(query, {{-1, 0.5, 1}, {1, 0.5, 1}, true}, 1)) << width;
-        EXPECT_FALSE(leavesBody(query, {leftWall, {-width / 2, 2, 1}, false}, 1)) << width;
+        EXPECT_FALSE(leavesBody(query, {{-1, 0.5, 1}, {1, 0.5, 1}, true}, 0.25)) << width;
+        EXPECT_FALSE(leavesBody(query, {leftWall, {-width / 2, 2, 1}, false}, 0.25)) << width;
     }
 }
 
@@ -56,14 +56,14 @@ TEST(LeavingTheBody, IsNotAChordOverADent) {
     const auto onWall = [&](double angle) {
         return query.placeOf(query.nearest({std::cos(angle), std::sin(angle), 0.02}));
     };
-    EXPECT_FALSE(leavesBody(query, {onWall(0.1), onWall(0.6), false}, 0.5));
-    EXPECT_TRUE(leavesBody(query, {onWall(0.1), onWall(2.1), false}, 0.5));
+    EXPECT_FALSE(leavesBody(query, {onWall(0.1), onWall(0.6), false}, 0.125));
+    EXPECT_TRUE(leavesBody(query, {onWall(0.1), onWall(2.1), false}, 0.125));
 }
 
 TEST(Trimming, PartsTheWallsOfAGapThatIsNarrowerThanTheSpacing) {
     for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond}) {
         test::CutLattice cut = test::cutLattice(slotted(0.05), kind, 0.31);
-        trim(cut.lattice, std::vector<char>(cut.lattice.nodes.size(), 1), *cut.query, 0.31, {});
+        trim(cut.lattice, std::vector<char>(cut.lattice.nodes.size(), 1), *cut.query, 0.08, {});
         ASSERT_GT(cut.lattice.tetrahedra.size(), 1000U);
         for (const Tetrahedron& nodes : cut.lattice.tetrahedra) {
             // Above the slot's ground no tetrahedron has nodes on both sides.
@@ -84,9 +84,16 @@ TEST(Trimming, PartsTheWallsOfAGapThatIsNarrowerThanTheSpacing) {
 TEST(Trimming, ChangesNothingWhereTheSpacingResolvesTheBody) {
     test::CutLattice cut = test::cutLattice(test::torus(48, 24), LatticeKind::BodyCentred, 0.05);
     const StuffedLattice before = cut.lattice;
-    trim(cut.lattice, std::vector<char>(cut.lattice.nodes.size(), 1), *cut.query, 0.05, {});
+    trim(cut.lattice, std::vector<char>(cut.lattice.nodes.size(), 1), *cut.query, 0.0125, {});
     EXPECT_EQ(cut.lattice.tetrahedra, before.tetrahedra);
     EXPECT_EQ(cut.lattice.nodes, before.nodes);
+}
+
+TEST(DeepestChord, GrowsWithTheLongestSpring) {
+    EXPECT_NEAR(deepestChord(LatticeKind::BodyCentred, 2), 0.5, 1e-6);
+    EXPECT_NEAR(deepestChord(LatticeKind::Cubic, 2), 0.5 * std::sqrt(1.5), 1e-6);
+    EXPECT_NEAR(deepestChord(LatticeKind::Diamond, 2), 0.5 * std::sqrt(2), 1e-6);
+    EXPECT_EQ(deepestChord(LatticeKind::BareDiamond, 2), deepestChord(LatticeKind::Diamond, 2));
 }
 
 } // namespace

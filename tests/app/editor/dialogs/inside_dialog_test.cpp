@@ -1,6 +1,7 @@
 #include "app/editor/dialogs/inside_dialog.h"
 
 #include "core/project/detail_change.h"
+#include "tests/support/crossed_ball.h"
 #include "tests/support/eventually.h"
 #include "tests/support/solid_surfaces.h"
 
@@ -162,6 +163,19 @@ TEST(InsideDialog, SaysWhyAnOrganCannotBeFilled) {
     closed.type("10");
     ESM_EVENTUALLY(closed.mayFill());
     EXPECT_TRUE(closed.text("insideRefusal").isEmpty());
+}
+
+TEST(InsideDialog, SaysWhereTheLatticePassesOverACrossing) {
+    TriangleMesh mesh = test::crossedBall();
+    for (Eigen::Vector3d& vertex : mesh.vertices)
+        vertex *= 0.04;
+    const ShownInside shown(makeProject("ball", {std::move(mesh), {}}));
+    ESM_EVENTUALLY(shown.mayFill());
+    EXPECT_TRUE(shown.text("insideRefusal").contains("runs through itself in one place"))
+        << shown.text("insideRefusal").toStdString();
+    shown.type("1");
+    ESM_EVENTUALLY(shown.text("insideRefusal").contains("choose a spacing of"));
+    EXPECT_FALSE(shown.mayFill());
 }
 
 TEST(InsideDialog, EscapeClosesItsOpenListFirst) {
