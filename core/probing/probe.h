@@ -61,12 +61,12 @@ inline constexpr double shortestTest = 1e-6, longestTest = 1e6; ///< s, of a tes
 
 /// What a virtual test tells.
 struct ProbeResult {
-    Eigen::Vector3d place;         ///< m, on the surface that is simulated
-    Eigen::Vector3d direction;     ///< into the organ, of length 1
-    std::vector<PressPoint> curve; ///< from (0, 0) on, by rising depth
-    double stiffnessAtStart = 0;   ///< N/m, of the first step
-    double stiffness = 0;          ///< N/m, of the last one
-    double poissonsRatio = 0;      ///< 1/4 of lattices, 1/3 of nets
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< m, on the surface that is simulated
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< into the organ, of length 1
+    std::vector<PressPoint> curve;                       ///< from (0, 0) on, by rising depth
+    double stiffnessAtStart = 0;                         ///< N/m, of the first step
+    double stiffness = 0;                                ///< N/m, of the last one
+    double poissonsRatio = 0;                            ///< 1/4 of lattices, 1/3 of nets
     /// Pa, of the even solid, wide and deep beside the finger, that resists as much at the full depth
     double youngsModulus = 0;
     std::optional<TimeCurve> relaxation, creep;

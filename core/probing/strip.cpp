@@ -23,6 +23,7 @@ void requireSensible(const StripSettings& settings) {
     require(isPositive(settings.width), "the strip's width must be above 0 m");
     require(isPositive(settings.stretch) && settings.stretch <= largestStretch,
             "a strip is stretched by more than 0 and at most to twice its length");
+    require(std::isfinite(settings.turn), "the angle that a strip is turned by must be a number");
     require(settings.steps >= 1 && settings.steps <= mostProbeSteps, "it is stretched in 1 to 1000 steps");
     require(!settings.wallThickness || isPositive(*settings.wallThickness),
             "the wall's thickness must be above 0 m");
@@ -67,7 +68,10 @@ std::vector<StripPoint> stretchCurve(const CutStrip& strip, const StripSettings&
         done = static_cast<double>(i) / (settings.steps + 1);
         tissue.settle(evenlyStretched(strip, tissue.positions(), settings.length, i == 0 ? 0 : stride));
         const double force = tissue.forceOn(strip.clamped[1]).dot(strip.frame.along);
-        curve.push_back({i * stride, gauge.strain(tissue.positions()), force});
+        // The rest that balance leaves over is no force, nor is what it moves tissue by a strain.
+        const bool isSlack =
+            std::abs(force) <= tissue.leastForce() * static_cast<double>(strip.clamped[1].size());
+        curve.push_back({i * stride, isSlack ? 0 : gauge.strain(tissue.positions()), isSlack ? 0 : force});
     }
     return curve;
 }

@@ -10,6 +10,7 @@ struct StripSettings {
     /// From one clamp to the other, of any length; without, the direction in which the organ is longest,
     /// along its surface
     std::optional<Eigen::Vector3d> along{};
+    double turn = 0;       ///< radians, that it is turned by from there, to the left as seen from outside
     double length = 0.04;  ///< m, between the clamps
     double width = 0.01;   ///< m; that of a solid organ is cut out as deep
     double stretch = 0.05; ///< to which it is stretched, of the length

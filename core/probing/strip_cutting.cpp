@@ -257,7 +257,9 @@ double sizeOf(const TissueCell& cell, const std::vector<Vector3d>& nodes) {
 CutStrip cutStrip(const ProbedOrgan& organ, const StripSettings& settings) {
     const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
     CutStrip strip;
-    strip.frame = stripFrame(organ, settings);
+    const std::vector<Triangle>& triangles = organ.surface.triangles;
+    const SurfaceSpot spot = probedSpot(organ, SurfaceQuery(nodes, triangles), settings.place);
+    strip.frame = stripFrame({nodes, triangles, {}}, spot, settings);
     const std::vector<TissueCell> cells = cellsOf(organ);
     std::vector<char> isWithin = cellsWithin(cells, nodes, strip.frame, settings, isDeep(organ));
     keepConnected(isWithin, cells, nodes, strip.frame);

@@ -1,9 +1,9 @@
 #include "core/probing/strip_frame.h"
 
-#include "core/probing/probed_spot.h"
 #include "core/support/errors.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <array>
 
@@ -36,7 +36,8 @@ std::optional<Vector3d> alongSurface(const Vector3d& direction, const Vector3d& 
 }
 
 // Where nobody says it, a strip lies as it is cut out of organs: along a bowel, a vessel, a lobe.
-Vector3d directionOf(const ProbedOrgan& organ, const StripSettings& settings, const Vector3d& outward) {
+Vector3d directionOf(const std::vector<Vector3d>& places, const StripSettings& settings,
+                     const Vector3d& outward) {
     if (settings.along) {
         const auto along =
             settings.along->allFinite() ? alongSurface(*settings.along, outward) : std::nullopt;
@@ -45,18 +46,17 @@ Vector3d directionOf(const ProbedOrgan& organ, const StripSettings& settings, co
                                "organ's surface at the place, not through it");
         return *along;
     }
-    for (const Vector3d& direction : longDirections(organ.model.network->restPositions))
+    for (const Vector3d& direction : longDirections(places))
         if (const auto along = alongSurface(direction, outward)) return *along;
     return outward.unitOrthogonal();
 }
 
 } // namespace
 
-StripFrame stripFrame(const ProbedOrgan& organ, const StripSettings& settings) {
-    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
-    const SurfaceSpot spot = probedSpot(organ, SurfaceQuery(nodes, organ.surface.triangles), settings.place);
-    const Vector3d outward = outwardAround({nodes, organ.surface.triangles}, spot, settings.width / 2);
-    const Vector3d along = directionOf(organ, settings, outward);
+StripFrame stripFrame(const TriangleMesh& surface, const SurfaceSpot& spot, const StripSettings& settings) {
+    const Vector3d outward = outwardAround(surface, spot, settings.width / 2);
+    const Eigen::AngleAxisd turn(settings.turn, outward);
+    const Vector3d along = turn * directionOf(surface.vertices, settings, outward);
     return {spot.point, along, outward.cross(along), outward};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/surface_spot.h"
 #include "core/probing/strip.h"
 
 namespace esm {
@@ -15,8 +16,8 @@ struct StripFrame {
     }
 };
 
-/// Across the mean direction in which the surface faces within the strip's width.
-/// @throws InvalidModel for a place off the surface, or a direction through it
-StripFrame stripFrame(const ProbedOrgan& organ, const StripSettings& settings);
+/// Around a spot of a surface, across the mean direction in which it faces within the strip's width. Of the
+/// settings the place is left aside. @throws InvalidModel for a direction through the surface
+StripFrame stripFrame(const TriangleMesh& surface, const SurfaceSpot& spot, const StripSettings& settings);
 
 } // namespace esm

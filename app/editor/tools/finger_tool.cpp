@@ -10,6 +10,8 @@ namespace esm {
 namespace {
 
 constexpr int solidity = 190, hiddenSolidity = 70; // of 255, of the ball
+constexpr int stripSolidity = 60;                  // the same of a strip
+constexpr double clampWidth = 5;                   // pixels
 
 /// Which way is out where the surface carries a place now; none without a surface.
 std::optional<Eigen::Vector3d> outwardAt(const Sight& sight, const CarriedPlace& place) {
@@ -35,6 +37,25 @@ void paintBall(QPainter& painter, const QPointF& middle, double radius, QColor c
     painter.drawEllipse(middle, radius, radius);
 }
 
+/// Its outline, and its clamps as broad strokes.
+void paintStrip(QPainter& painter, const Sight& sight, const Eigen::Vector3d& place, const StripFrame& frame,
+                const StripSettings& strip, const QColor& colour) {
+    QPolygonF corners;
+    for (const auto& [x, y] : {std::pair(-1, -1), {-1, 1}, {1, 1}, {1, -1}})
+        if (const auto seen = sight.placeOf(place + x * strip.length / 2 * frame.along +
+                                            y * strip.width / 2 * frame.across))
+            corners << *seen;
+    if (corners.size() < 4) return;
+    QColor inside = colour;
+    inside.setAlpha(stripSolidity);
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(inside);
+    painter.drawPolygon(corners);
+    painter.setPen(QPen(colour, clampWidth, Qt::SolidLine, Qt::FlatCap));
+    painter.drawLine(corners[0], corners[1]);
+    painter.drawLine(corners[2], corners[3]);
+}
+
 } // namespace
 
 FingerTool::FingerTool(const ToolContext& context) : m_test(context.virtualTest) {
@@ -50,6 +71,14 @@ void FingerTool::click(const ToolMouse& mouse) {
 void FingerTool::draw(QPainter& painter, const Sight& sight, const QPalette& palette) const {
     if (!m_test.place()) return;
     const Eigen::Vector3d place = sight.picker.carried(sight.scene, *m_test.place());
+    if (m_test.kind() == TestKind::Strip) {
+        painter.save();
+        if (m_test.stripFrame())
+            paintStrip(painter, sight, place, *m_test.stripFrame(), m_test.stripSettings(),
+                       palette.color(QPalette::Link));
+        painter.restore();
+        return;
+    }
     const std::optional<Eigen::Vector3d> outward = outwardAt(sight, *m_test.place());
     if (!outward) return;
     const double radius = m_test.settings().radius;
@@ -64,7 +93,10 @@ void FingerTool::draw(QPainter& painter, const Sight& sight, const QPalette& pal
 
 QString FingerTool::hint() const {
     if (!m_test.place()) return {};
-    return tr("The column at the left measures · click elsewhere to move the finger · a drag turns the view");
+    return m_test.kind() == TestKind::Strip
+               ? tr("The column at the left measures · click elsewhere to cut there · a drag turns the view")
+               : tr("The column at the left measures · click elsewhere to move the finger · a drag turns the "
+                    "view");
 }
 
 } // namespace esm

@@ -2,6 +2,7 @@
 
 #include "app/editor/workers/told_progress.h"
 #include "core/dynamics/contact/touched_surface.h"
+#include "core/support/angles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double samePlace = 1e-9;  ///< m
 constexpr double roundTo = 5e-5;    ///< m, of a finger that is made to fit
+constexpr double nodesAcross = 2.5; ///< at least, of a strip that is made to fit
 constexpr double firstForce = 0.05; ///< N, before anything was pressed
 constexpr double firstDuration = 2; ///< s; dents of soft organs take this long
 /// Of the radius: so deep a finger goes first that is then pushed with a force, whatever depth that leads to.
@@ -25,28 +27,47 @@ bool drawAlike(const std::vector<SpringValues>& a, const std::vector<SpringValue
         [](const SpringValues& x, const SpringValues& y) { return x.springConstant == y.springConstant; });
 }
 
-/// Whether a finger meets the same in both. What takes no part at rest may differ, but for tests in time.
-bool pressesAlike(FingerTest kind, const TissueModel& a, const TissueModel& b) {
+/// Whether strips of both stretch alike, that nothing holds.
+bool stretchAlike(const TissueModel& a, const TissueModel& b) {
+    return a.network == b.network && a.springConstant == b.springConstant && a.stiffening == b.stiffening &&
+           drawAlike(a.ownValues, b.ownValues) && a.hinges == b.hinges;
+}
+
+/// Whether a test meets the same in both. What takes no part at rest may differ, but for tests in time.
+bool meetAlike(TestKind kind, const TissueModel& a, const TissueModel& b) {
     if (&a == &b) return true;
-    const bool restsAlike = a.network == b.network && a.springConstant == b.springConstant &&
-                            a.stiffening == b.stiffening && a.fixedNodes == b.fixedNodes &&
-                            drawAlike(a.ownValues, b.ownValues) && a.tethers == b.tethers &&
-                            a.hinges == b.hinges && a.cavities == b.cavities;
-    return restsAlike && (kind == FingerTest::Press ||
+    if (kind == TestKind::Strip) return stretchAlike(a, b);
+    const bool restsAlike = stretchAlike(a, b) && a.fixedNodes == b.fixedNodes && a.tethers == b.tethers &&
+                            a.cavities == b.cavities;
+    return restsAlike && (kind == TestKind::Press ||
                           (a.mass == b.mass && a.viscosity == b.viscosity && a.ownValues == b.ownValues));
 }
 
-/// Whether two tests can differ by the tissue alone. Curves of force over depth go on alike, however deep.
+bool isSameStrip(const StripSettings& a, const StripSettings& b) {
+    return a.length == b.length && a.width == b.width && a.turn == b.turn;
+}
+
+/// Whether two tests can differ by the tissue alone. Curves of force over depth, or over elongation, go on
+/// alike, however far.
 bool isSameTest(const MeasuredPress& a, const MeasuredPress& b) {
-    if ((a.settings.place - b.settings.place).norm() >= samePlace || a.settings.radius != b.settings.radius)
-        return false;
-    if (a.kind == FingerTest::Stay) return a.settings.depth == b.settings.depth;
-    return a.kind != FingerTest::Push || a.settings.creep->force == b.settings.creep->force;
+    if ((a.settings.place - b.settings.place).norm() >= samePlace) return false;
+    if (a.strip) return isSameStrip(a.strip->settings, b.strip->settings);
+    if (a.settings.radius != b.settings.radius) return false;
+    if (a.kind == TestKind::Stay) return a.settings.depth == b.settings.depth;
+    return a.kind != TestKind::Push || a.settings.creep->force == b.settings.creep->force;
 }
 
 double rounded(double value, int digits) {
     const double unit = std::pow(10, std::floor(std::log10(value)) - digits + 1);
     return std::round(value / unit) * unit;
+}
+
+/// m, at rest; 0 without springs.
+double meanLength(const std::vector<Spring>& springs) {
+    double sum = 0;
+    for (const Spring& spring : springs)
+        sum += spring.restLength / static_cast<double>(springs.size());
+    return sum;
 }
 
 /// Of the node nearest to a place, s. None of tissue without a spring constant.
@@ -77,11 +98,13 @@ VirtualTest::VirtualTest(Document& document, Preview& preview, QObject* parent)
     connect(&document, &Document::replaced, this, &VirtualTest::forget);
     connect(&preview, &Preview::tissueReady, this, &VirtualTest::followTissue);
     fitFinger();
+    fitStrip();
 }
 
 void VirtualTest::choosePlace(const CarriedPlace& place, bool isSeenFromInside) {
     m_place = place;
     m_isSeenFromInside = isSeenFromInside;
+    layStrip();
     tellChoice();
 }
 
@@ -100,6 +123,51 @@ void VirtualTest::fitFinger() {
     const double radius = std::max(std::round(fitting / roundTo), 1.0) * roundTo;
     m_settings.radius = std::min(radius, ProbeSettings().radius);
     m_settings.depth = m_settings.radius / 2;
+}
+
+/// A third as wide as long: at most of the usual length, or a fifth of the organ's diagonal where that is
+/// less, but of a few nodes across.
+void VirtualTest::fitStrip() {
+    if (m_isStripChosen) return;
+    const Project& project = m_document.project();
+    const double size = organBox(*project.mesh, *project.network).diagonal().norm();
+    const double least = std::min(3 * nodesAcross * meanLength(project.network->springs), size / 3);
+    const double length = std::max(std::min(size / 5, StripSettings().length), least);
+    m_strip.length = std::max(std::round(length / 3 / roundTo), 1.0) * 3 * roundTo;
+    m_strip.width = m_strip.length / 3;
+}
+
+void VirtualTest::layStrip() {
+    m_stripFrame.reset();
+    const TriangleMesh& mesh = *m_document.project().mesh;
+    if (!m_place || mesh.triangles.empty()) return;
+    const Eigen::Vector3d across = areaNormal(mesh.vertices, m_place->corners);
+    if (across.norm() > 0)
+        m_stripFrame = esm::stripFrame(mesh, {*restPlace(), across.stableNormalized()}, m_strip);
+}
+
+void VirtualTest::setStripLength(double metres) {
+    m_isStripChosen = true;
+    m_strip.length = metres;
+    tellChoice();
+}
+
+void VirtualTest::setStripWidth(double metres) {
+    m_isStripChosen = true;
+    m_strip.width = metres;
+    layStrip();
+    tellChoice();
+}
+
+void VirtualTest::setStretch(double share) {
+    m_strip.stretch = share;
+    tellChoice();
+}
+
+void VirtualTest::setTurn(double degrees) {
+    m_strip.turn = toRadians(degrees);
+    layStrip();
+    tellChoice();
 }
 
 void VirtualTest::setRadius(double metres) {
@@ -121,7 +189,7 @@ void VirtualTest::tellChoice() {
     emit changed();
 }
 
-void VirtualTest::chooseKind(FingerTest kind) {
+void VirtualTest::chooseKind(TestKind kind) {
     if (kind == m_kind) return;
     m_kind = kind;
     emit changed();
@@ -149,8 +217,8 @@ QString VirtualTest::obstacle() const {
 ProbeSettings VirtualTest::wantedSettings() const {
     ProbeSettings settings = m_settings;
     settings.place = *restPlace();
-    if (m_kind == FingerTest::Stay) settings.relaxation = RelaxationTest{m_duration};
-    if (m_kind == FingerTest::Push) {
+    if (m_kind == TestKind::Stay) settings.relaxation = RelaxationTest{m_duration};
+    if (m_kind == TestKind::Push) {
         settings.depth = touchShare * settings.radius;
         settings.steps = 1;
         settings.creep = CreepTest{m_force, m_duration};
@@ -160,7 +228,9 @@ ProbeSettings VirtualTest::wantedSettings() const {
 
 void VirtualTest::press() {
     if (!obstacle().isEmpty()) return;
-    Question question{m_kind, m_preview.tissue(), m_document.project().mesh, wantedSettings()};
+    Question question{m_kind, m_preview.tissue(), m_document.project().mesh, wantedSettings(), m_strip};
+    question.strip.place = question.settings.place;
+    question.strip.wallThickness = m_document.project().base.wallThickness;
     of(m_kind).failure.clear();
     m_progress = 0;
     m_isPressing = true;
@@ -178,13 +248,21 @@ void VirtualTest::cancel() {
 
 VirtualTest::Press VirtualTest::answerTo(const Worker::Task& task) {
     if (!task.question) return nullptr;
-    const auto& [kind, tissue, mesh, settings] = *task.question;
+    const auto& [kind, tissue, mesh, settings, strip] = *task.question;
     const TouchedSurface surface = touchedSurface(*mesh, *tissue->network);
     const Progress progress = toldProgress(task.progress(), m_progress, [this] { emit told(); });
+    if (kind == TestKind::Strip)
+        return std::make_shared<const MeasuredPress>(
+            MeasuredPress{kind,
+                          settings,
+                          {},
+                          MeasuredStrip{strip, pullStrip({*tissue, surface}, strip, progress)},
+                          tissue,
+                          {}});
     ProbeResult result = probe({*tissue, surface}, settings, progress);
     const std::optional<double> time = tissueTimeAt(*tissue, result.place);
     return std::make_shared<const MeasuredPress>(
-        MeasuredPress{kind, settings, std::move(result), tissue, time});
+        MeasuredPress{kind, settings, std::move(result), {}, tissue, time});
 }
 
 void VirtualTest::hear() {
@@ -204,14 +282,15 @@ void VirtualTest::take(const Press& press) {
     if (!measured.isKept) {
         if (!measured.latest || !isSameTest(*measured.latest, *press))
             measured.former.reset();
-        else if (!pressesAlike(press->kind, *measured.latest->tissue, *press->tissue))
+        else if (!meetAlike(press->kind, *measured.latest->tissue, *press->tissue))
             measured.former = measured.latest;
     }
     measured.latest = press;
     const std::shared_ptr<const TissueModel> now = m_preview.tissue();
-    measured.isOutdated = now && !pressesAlike(press->kind, *press->tissue, *now);
+    measured.isOutdated = now && !meetAlike(press->kind, *press->tissue, *now);
+    if (press->kind == TestKind::Push || press->strip || m_isForceChosen) return;
     const double met = press->result.curve.back().force;
-    if (press->kind != FingerTest::Push && !m_isForceChosen && met > 0) m_force = rounded(met, forceDigits);
+    if (met > 0) m_force = rounded(met, forceDigits);
 }
 
 void VirtualTest::keepLatest() {
@@ -231,14 +310,16 @@ void VirtualTest::followDocument(const Change& change) {
     const bool isSame = !mesh->triangles.empty() && mesh->vertices.size() == m_mesh->vertices.size() &&
                         mesh->triangles == m_mesh->triangles;
     m_mesh = mesh;
-    if (!isSame) forget();
+    if (!isSame) return forget();
+    fitStrip();
+    layStrip();
 }
 
 void VirtualTest::followTissue() {
     const std::shared_ptr<const TissueModel> now = m_preview.tissue();
     for (Measured& measured : m_measured)
         if (now && measured.latest)
-            measured.isOutdated = !pressesAlike(measured.latest->kind, *measured.latest->tissue, *now);
+            measured.isOutdated = !meetAlike(measured.latest->kind, *measured.latest->tissue, *now);
     emit changed();
 }
 
@@ -248,6 +329,8 @@ void VirtualTest::forget() {
     m_measured = {};
     if (!m_isForceChosen) m_force = firstForce;
     fitFinger();
+    fitStrip();
+    layStrip();
     emit changed();
 }
 

@@ -4,22 +4,29 @@
 #include "app/editor/workers/compared.h"
 #include "app/editor/workers/latest_worker.h"
 #include "app/editor/workers/preview.h"
-#include "core/probing/probe.h"
+#include "core/probing/strip_frame.h"
 #include "widgets/view/picking.h"
 
 #include <array>
 
 namespace esm {
 
-/// What a finger does: presses to a depth, presses and stays there, or is pushed with one force.
-enum class FingerTest { Press, Stay, Push };
-inline constexpr std::size_t fingerTests = 3;
+/// What is done to the organ: a finger presses to a depth, presses and stays there, or is pushed with one
+/// force; or a strip is cut out and stretched.
+enum class TestKind { Press, Stay, Push, Strip };
+inline constexpr std::size_t testKinds = 4;
 
-/// What a finger met, and how it pressed what.
+struct MeasuredStrip {
+    StripSettings settings;
+    StripResult result;
+};
+
+/// What a test met, and how it was done to what.
 struct MeasuredPress {
-    FingerTest kind;
-    ProbeSettings settings;
-    ProbeResult result;
+    TestKind kind;
+    ProbeSettings settings;             ///< of a finger; of a strip the place alone
+    ProbeResult result;                 ///< of a finger; nothing of a strip
+    std::optional<MeasuredStrip> strip; ///< none of a finger
     std::shared_ptr<const TissueModel> tissue;
     std::optional<double> tissueTime; ///< s, viscosity over spring constant of the tissue at the place
 
@@ -27,8 +34,9 @@ struct MeasuredPress {
     const TimeCurve* inTime() const;
 };
 
-/// A finger that presses the organ at rest, beside the window: where and how, what it met, and what it met
-/// before the tissue was changed, of each kind of test. None of it is part of the project.
+/// A finger that presses the organ at rest, or a strip of it that is stretched, beside the window: where and
+/// how, what it met, and what it met before the tissue was changed, of each kind of test. None of it is part
+/// of the project.
 class VirtualTest : public QObject {
     Q_OBJECT
 
@@ -46,8 +54,8 @@ public:
     /// The same on the organ at rest, m.
     std::optional<Eigen::Vector3d> restPlace() const;
     /// Which test is measured next, and told of by all below.
-    FingerTest kind() const { return m_kind; }
-    void chooseKind(FingerTest kind);
+    TestKind kind() const { return m_kind; }
+    void chooseKind(TestKind kind);
     /// Radius and depth: of a finger's tip, or of a smaller one that fits a small organ, until the user
     /// chooses.
     const ProbeSettings& settings() const { return m_settings; }
@@ -58,6 +66,14 @@ public:
     void setForce(double newtons);
     double duration() const { return m_duration; } ///< s, of a test in time
     void setDuration(double seconds);
+    /// Of a strip, all but its place: of a size that fits the organ until the user chooses.
+    const StripSettings& stripSettings() const { return m_strip; }
+    void setStripLength(double metres);
+    void setStripWidth(double metres);
+    void setStretch(double share);
+    void setTurn(double degrees);
+    /// How it lies on the organ at rest; none without a place.
+    const std::optional<StripFrame>& stripFrame() const { return m_stripFrame; }
 
     /// Why nothing can be pressed now; empty where it can.
     QString obstacle() const;
@@ -88,17 +104,18 @@ signals:
 
 private:
     struct Question {
-        FingerTest kind;
+        TestKind kind;
         std::shared_ptr<const TissueModel> tissue;
         std::shared_ptr<const TriangleMesh> mesh;
         ProbeSettings settings;
+        StripSettings strip;
     };
     /// No question takes the place of one that is no longer of interest.
     using Worker = LatestWorker<std::optional<Question>, Press>;
 
     using Measured = Compared<MeasuredPress>;
 
-    Measured& of(FingerTest kind) { return m_measured.at(static_cast<std::size_t>(kind)); }
+    Measured& of(TestKind kind) { return m_measured.at(static_cast<std::size_t>(kind)); }
     const Measured& shown() const { return m_measured.at(static_cast<std::size_t>(m_kind)); }
     ProbeSettings wantedSettings() const;
     Press answerTo(const Worker::Task& task);
@@ -108,6 +125,8 @@ private:
     void followTissue();
     void forget();
     void fitFinger();
+    void fitStrip();
+    void layStrip();
     void tellChoice();
 
     Document& m_document;
@@ -116,13 +135,15 @@ private:
     std::optional<CarriedPlace> m_place;
     bool m_isSeenFromInside = false;
     ProbeSettings m_settings;
-    FingerTest m_kind = FingerTest::Press;
+    StripSettings m_strip;
+    std::optional<StripFrame> m_stripFrame;
+    TestKind m_kind = TestKind::Press;
     double m_force, m_duration;
-    bool m_isFingerChosen = false, m_isForceChosen = false; ///< by the user
-    std::array<Measured, fingerTests> m_measured;           ///< by their kind
+    bool m_isFingerChosen = false, m_isForceChosen = false, m_isStripChosen = false; ///< by the user
+    std::array<Measured, testKinds> m_measured;                                      ///< by their kind
     bool m_isPressing = false;
-    int m_asked = 0;                            ///< the number of the question that is being answered
-    FingerTest m_askedKind = FingerTest::Press; ///< of that question
+    int m_asked = 0;                        ///< the number of the question that is being answered
+    TestKind m_askedKind = TestKind::Press; ///< of that question
     std::atomic<double> m_progress = 0;
     Worker m_worker; ///< last, so that it ends first
 };

@@ -53,6 +53,10 @@ Eigen::Vector3d StretchedTissue::forceOn(const std::vector<std::uint32_t>& nodes
     return sum;
 }
 
+double StretchedTissue::leastForce() const {
+    return nearlyBalanced * leastMove * m_size * m_stiffest;
+}
+
 /// What forces leave over, of those on the led nodes, or of what moves a node by next to nothing.
 double StretchedTissue::imbalance(const Vectors& forces) const {
     Vectors all;

@@ -24,6 +24,8 @@ public:
     const Vectors& positions() const { return m_positions; } ///< m
     /// N, that has to be laid on some of the led nodes to keep them there.
     Eigen::Vector3d forceOn(const std::vector<std::uint32_t>& nodes) const;
+    /// N, of a node: what settle() may leave over. Smaller forces say nothing.
+    double leastForce() const;
 
 private:
     double imbalance(const Vectors& forces) const;

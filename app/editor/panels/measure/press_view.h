@@ -26,7 +26,7 @@ private:
 
     Document& m_document;
     VirtualTest& m_test;
-    FingerTest m_shownKind = FingerTest::Press;
+    TestKind m_shownKind = TestKind::Press;
     VirtualTest::Press m_shown, m_shownBefore;
     ComparisonHeader* m_header;
     CurveChart* m_chart;

@@ -2,8 +2,9 @@
 
 #include "app/editor/dialogs/sentence.h"
 #include "app/editor/edits/preset_in_force.h"
-#include "app/editor/panels/measure/finger_figures.h"
+#include "app/editor/panels/measure/test_figures.h"
 #include "core/probing/standing_finger.h"
+#include "core/support/angles.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -11,6 +12,7 @@
 #include "widgets/inputs/refused_numbers.h"
 
 #include <QVariant>
+#include <QVBoxLayout>
 
 namespace esm {
 
@@ -38,18 +40,23 @@ struct KindText {
     QString name, said, button;
 };
 
-KindText textOf(FingerTest kind) {
+KindText textOf(TestKind kind) {
     switch (kind) {
-    case FingerTest::Press:
+    case TestKind::Press:
         return {VirtualTestPanel::tr("Press"),
                 VirtualTestPanel::tr("Presses the organ at rest, and says how it resists."),
                 VirtualTestPanel::tr("Press")};
-    case FingerTest::Stay:
+    case TestKind::Stay:
         return {
             VirtualTestPanel::tr("Press and stay"),
             VirtualTestPanel::tr("Presses to a depth, stays there, and says how the force falls in time."),
             VirtualTestPanel::tr("Press and stay")};
-    case FingerTest::Push:
+    case TestKind::Strip:
+        return {VirtualTestPanel::tr("Pull a strip"),
+                VirtualTestPanel::tr(
+                    "Cuts a strip out of the organ, pulls at its ends, and says how it resists."),
+                VirtualTestPanel::tr("Pull")};
+    case TestKind::Push:
         break;
     }
     return {VirtualTestPanel::tr("Push with a force"),
@@ -57,10 +64,27 @@ KindText textOf(FingerTest kind) {
             VirtualTestPanel::tr("Push")};
 }
 
+NumberFormat turnFormat() {
+    NumberFormat format = angleFormat();
+    format.minimum = -180;
+    format.maximum = 180;
+    return format;
+}
+
 QString placeText(const std::optional<Eigen::Vector3d>& place) {
     if (!place) return VirtualTestPanel::tr("none yet");
     const auto millimetres = [&](int axis) { return decimalText(1000 * (*place)[axis], 0); };
     return VirtualTestPanel::tr("%1, %2, %3 mm").arg(millimetres(0), millimetres(1), millimetres(2));
+}
+
+/// Rows that keep their height on a page that is higher.
+QWidget* standingAtTop(ValueRows* rows) {
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(rows);
+    column->addStretch();
+    return page;
 }
 
 } // namespace
@@ -71,15 +95,18 @@ VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidge
       m_cancel(new QPushButton(tr("Cancel"), this)), m_kind(new QComboBox(this)),
       m_radius(new NumberField(fingerFormat(), this)), m_depth(new NumberField(fingerFormat(), this)),
       m_force(new NumberField(forceFormat(), this)), m_duration(new NumberField(durationFormat(), this)),
+      m_length(new NumberField(fingerFormat(), this)), m_width(new NumberField(fingerFormat(), this)),
+      m_stretch(new NumberField(percentFormat(0.001, largestStretch), this)),
+      m_turn(new NumberField(turnFormat(), this)), m_sizes(new QStackedWidget(this)),
       m_news(new WorkNews(QStringLiteral("press"), tr("How much of the test is computed"), this)),
       m_figures(new QStackedWidget(this)), m_published(new ElidedLabel(this)) {
-    auto* finger = new Section(tr("Finger"), this);
-    finger->body()->addWidget(buildFinger());
-    finger->body()->addWidget(buildButtons());
-    finger->body()->addWidget(m_news);
+    auto* asked = new Section(tr("Test"), this);
+    asked->body()->addWidget(buildQuestion());
+    asked->body()->addWidget(buildButtons());
+    asked->body()->addWidget(m_news);
     auto* met = new Section(tr("What it met"), this);
-    for (std::size_t kind = 0; kind < fingerTests; ++kind)
-        m_figures->addWidget(new PressFigures(fingerFigures(static_cast<FingerTest>(kind)), m_figures));
+    for (std::size_t kind = 0; kind < testKinds; ++kind)
+        m_figures->addWidget(new PressFigures(testFigures(static_cast<TestKind>(kind)), m_figures));
     met->body()->addWidget(m_figures);
     m_published->setObjectName(QStringLiteral("publishedModulus"));
     m_published->setProperty("quiet", true);
@@ -87,14 +114,14 @@ VirtualTestPanel::VirtualTestPanel(Document& document, VirtualTest& test, QWidge
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(finger);
+    column->addWidget(asked);
     column->addWidget(met);
 
     connect(&m_test, &VirtualTest::changed, this, &VirtualTestPanel::refresh);
     refresh();
 }
 
-QWidget* VirtualTestPanel::buildFinger() {
+QWidget* VirtualTestPanel::buildQuestion() {
     auto* whole = new QWidget(this);
     auto* column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
@@ -110,28 +137,39 @@ QWidget* VirtualTestPanel::buildFinger() {
     m_choose->setObjectName(QStringLiteral("choosePressPlace"));
     column->addWidget(rows);
     column->addWidget(m_choose);
-    column->addWidget(buildTest());
+    column->addWidget(buildKind());
+    m_sizes->addWidget(standingAtTop(buildFingerRows()));
+    m_sizes->addWidget(standingAtTop(buildStripRows()));
+    column->addWidget(m_sizes);
     return whole;
 }
 
-ValueRows* VirtualTestPanel::buildTest() {
-    m_rows = new ValueRows(this);
-    for (std::size_t kind = 0; kind < fingerTests; ++kind)
-        m_kind->addItem(textOf(static_cast<FingerTest>(kind)).name);
+ValueRows* VirtualTestPanel::buildKind() {
+    auto* rows = new ValueRows(this);
+    for (std::size_t kind = 0; kind < testKinds; ++kind)
+        m_kind->addItem(textOf(static_cast<TestKind>(kind)).name);
     m_kind->setObjectName(QStringLiteral("fingerTest"));
-    m_kind->setToolTip(tr("What the finger does. What was measured by the others stays"));
+    m_kind->setToolTip(tr("What is done to the organ. What was measured by the others stays"));
     guardFromWheel(*m_kind);
-    m_rows->addField(tr("&Kind"), m_kind);
+    rows->addField(tr("&Kind"), m_kind);
+    connect(m_kind, qOverload<int>(&QComboBox::activated), this,
+            [this](int kind) { m_test.chooseKind(static_cast<TestKind>(kind)); });
+    return rows;
+}
+
+void VirtualTestPanel::connectField(NumberField* field, const char* name, void (VirtualTest::*set)(double)) {
+    field->setObjectName(QString::fromLatin1(name));
+    connect(field, &NumberField::valueEdited, &m_test, set);
+    connect(field, &QLineEdit::returnPressed, this, [this, field] {
+        if (field->refusal().isEmpty()) press();
+    });
+}
+
+ValueRows* VirtualTestPanel::buildFingerRows() {
+    m_rows = new ValueRows(this);
     m_rows->addField(tr("Ra&dius"), m_radius);
     m_rows->addEither(tr("De&pth"), m_depth, tr("For&ce"), m_force);
     m_rows->addField(tr("D&uration"), m_duration);
-    const auto connectField = [this](NumberField* field, const char* name, void (VirtualTest::*set)(double)) {
-        field->setObjectName(QString::fromLatin1(name));
-        connect(field, &NumberField::valueEdited, &m_test, set);
-        connect(field, &QLineEdit::returnPressed, this, [this, field] {
-            if (field->refusal().isEmpty()) press();
-        });
-    };
     connectField(m_radius, "fingerRadius", &VirtualTest::setRadius);
     connectField(m_depth, "fingerDepth", &VirtualTest::setDepth);
     connectField(m_force, "fingerForce", &VirtualTest::setForce);
@@ -140,9 +178,25 @@ ValueRows* VirtualTestPanel::buildTest() {
     m_depth->setToolTip(tr("How deep it presses, from where it first touches"));
     m_force->setToolTip(tr("With which it is pushed from the first moment on; what the last press met, until "
                            "another is typed"));
-    connect(m_kind, qOverload<int>(&QComboBox::activated), this,
-            [this](int kind) { m_test.chooseKind(static_cast<FingerTest>(kind)); });
     return m_rows;
+}
+
+ValueRows* VirtualTestPanel::buildStripRows() {
+    auto* rows = new ValueRows(this);
+    rows->addField(tr("Len&gth"), m_length);
+    rows->addField(tr("W&idth"), m_width);
+    rows->addField(tr("Stretch &by"), m_stretch);
+    rows->addField(tr("Tur&ned by"), m_turn);
+    connectField(m_length, "stripLength", &VirtualTest::setStripLength);
+    connectField(m_width, "stripWidth", &VirtualTest::setStripWidth);
+    connectField(m_stretch, "stripStretch", &VirtualTest::setStretch);
+    connectField(m_turn, "stripTurn", &VirtualTest::setTurn);
+    m_length->setToolTip(tr("Between the clamps"));
+    m_width->setToolTip(tr("Of the strip; of a solid organ it is cut out as deep"));
+    m_stretch->setToolTip(tr("Of its length, how much longer it is made"));
+    m_turn->setToolTip(
+        tr("From the direction in which the organ is longest, to the left as seen from outside"));
+    return rows;
 }
 
 QWidget* VirtualTestPanel::buildButtons() {
@@ -174,8 +228,7 @@ void VirtualTestPanel::refresh() {
     m_place->setText(placeText(m_test.restPlace()));
     showTest();
     const QString obstacle = m_test.obstacle();
-    enable(m_press, obstacle.isEmpty(), tr("Measure how the organ resists the finger (Enter in a field)"),
-           obstacle);
+    enable(m_press, obstacle.isEmpty(), tr("Measure how the organ resists (Enter in a field)"), obstacle);
     enable(m_cancel, m_test.isPressing(), tr("Stop measuring; what was measured before stays"),
            tr("Nothing is being measured"));
     auto* figures = static_cast<PressFigures*>(m_figures->currentWidget());
@@ -185,20 +238,25 @@ void VirtualTestPanel::refresh() {
 }
 
 void VirtualTestPanel::showTest() {
-    const FingerTest kind = m_test.kind();
+    const TestKind kind = m_test.kind();
     const KindText text = textOf(kind);
     m_said->setText(text.said);
     m_press->setText(text.button);
     m_kind->setCurrentIndex(static_cast<int>(kind));
     m_figures->setCurrentIndex(static_cast<int>(kind));
-    m_rows->showField(kind == FingerTest::Push ? m_force : m_depth);
+    m_sizes->setCurrentIndex(kind == TestKind::Strip ? 1 : 0);
+    m_rows->showField(kind == TestKind::Push ? m_force : m_depth);
+    m_length->setValue(m_test.stripSettings().length);
+    m_width->setValue(m_test.stripSettings().width);
+    m_stretch->setValue(m_test.stripSettings().stretch);
+    m_turn->setValue(toDegrees(m_test.stripSettings().turn));
     m_radius->setValue(m_test.settings().radius);
     m_depth->setValue(m_test.settings().depth);
     m_force->setValue(m_test.force());
     m_duration->setValue(m_test.duration());
-    enable(m_duration, kind != FingerTest::Press,
-           kind == FingerTest::Stay ? tr("Of the whole test; the finger is at its depth within 0.05 s")
-                                    : tr("For how long it is pushed"),
+    enable(m_duration, kind != TestKind::Press,
+           kind == TestKind::Stay ? tr("Of the whole test; the finger is at its depth within 0.05 s")
+                                  : tr("For how long it is pushed"),
            tr("A press is measured at rest, however long that takes"));
 }
 
@@ -207,7 +265,7 @@ void VirtualTestPanel::showTest() {
 void VirtualTestPanel::showPublished() {
     const auto place = m_test.restPlace();
     const auto preset = place ? presetInForceAt(m_document.project(), *place) : std::nullopt;
-    const bool isPress = m_test.kind() == FingerTest::Press;
+    const bool isPress = m_test.kind() == TestKind::Press || m_test.kind() == TestKind::Strip;
     const PublishedTissue published = preset ? preset->published : PublishedTissue();
     const auto value = isPress ? published.youngsModulus : published.relaxationTime;
     const QString number = !value    ? QString()
@@ -222,7 +280,13 @@ void VirtualTestPanel::showNews() {
     const bool isPressing = m_test.isPressing();
     m_news->setProgress(isPressing ? std::optional(m_test.progress()) : std::nullopt);
     const QString failure = isPressing ? QString() : sentence(m_test.failure());
-    m_news->say(failure.isEmpty() ? remark() : failure, !failure.isEmpty() || m_test.isOutdated());
+    m_news->say(failure.isEmpty() ? remark() : failure,
+                !failure.isEmpty() || m_test.isOutdated() || isSlack());
+}
+
+bool VirtualTestPanel::isSlack() const {
+    const VirtualTest::Press& latest = m_test.latest();
+    return latest && latest->strip && !latest->strip->result.youngsModulus;
 }
 
 /// What else should be known of the numbers, the most needed first.
@@ -232,6 +296,9 @@ QString VirtualTestPanel::remark() const {
     if (m_test.isOutdated()) return tr("Measured before the last change of the tissue: measure again.");
     if (latest->result.meetsFixed)
         return tr("The finger also lies on fixed nodes, whose force is not counted.");
+    if (isSlack())
+        return tr("The strip is slack to the end, as one that is bent is until it is straight: stretch it by "
+                  "more.");
     const QString onTime = remarkOnTime();
     return onTime.isEmpty() ? remarkOnFormer() : onTime;
 }
@@ -241,7 +308,7 @@ QString VirtualTestPanel::remarkOnTime() const {
     const MeasuredPress& latest = *m_test.latest();
     const TimeCurve* curve = latest.inTime();
     if (!curve || curve->timeConstant) return {};
-    if (latest.kind == FingerTest::Stay && hasNextToNoWay(*curve))
+    if (latest.kind == TestKind::Stay && hasNextToNoWay(*curve))
         return tr("There is next to no way that a time constant could be told of: the force falls by less "
                   "than 1 %.");
     return tr("Less than two thirds of the way is gone by then: a longer duration tells the time constant.");
@@ -250,6 +317,7 @@ QString VirtualTestPanel::remarkOnTime() const {
 /// By what it differs from that which it is compared with, beside the tissue.
 QString VirtualTestPanel::remarkOnFormer() const {
     if (!m_test.former()) return remarkOnPlace();
+    if (m_test.latest()->strip) return remarkOnFormerStrip();
     const ProbeSettings &now = m_test.latest()->settings, &before = m_test.former()->settings;
     if (before.radius != now.radius)
         return tr("What stands under before was measured with a finger of radius %1.")
@@ -264,9 +332,21 @@ QString VirtualTestPanel::remarkOnFormer() const {
     return remarkOnPlace();
 }
 
+QString VirtualTestPanel::remarkOnFormerStrip() const {
+    const StripSettings &now = m_test.latest()->strip->settings, &before = m_test.former()->strip->settings;
+    if (before.length != now.length || before.width != now.width)
+        return tr("What stands under before was measured with a strip of %1 by %2.")
+            .arg(withUnit(1000 * before.length, QStringLiteral("mm"), 3),
+                 withUnit(1000 * before.width, QStringLiteral("mm"), 3));
+    if (before.place != now.place || before.turn != now.turn)
+        return tr("What stands under before was measured at another place, or in another direction.");
+    return {};
+}
+
 QString VirtualTestPanel::remarkOnPlace() const {
-    return m_test.isSeenFromInside() ? tr("You see the wall's inside here; the finger presses from outside.")
-                                     : QString();
+    return m_test.isSeenFromInside() && m_test.kind() != TestKind::Strip
+               ? tr("You see the wall's inside here; the finger presses from outside.")
+               : QString();
 }
 
 } // namespace esm

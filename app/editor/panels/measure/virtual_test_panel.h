@@ -14,8 +14,8 @@
 
 namespace esm {
 
-/// A finger that presses the organ: where, by which test, how large, how deep or hard; and what it met in
-/// numbers.
+/// A finger that presses the organ, or a strip of it that is stretched: where, by which test, how large, how
+/// far or hard; and what was met in numbers.
 class VirtualTestPanel : public QWidget {
     Q_OBJECT
 
@@ -26,17 +26,22 @@ public:
     void setPlaceAction(QAction* action);
 
 private:
-    QWidget* buildFinger();
-    ValueRows* buildTest();
+    QWidget* buildQuestion();
+    ValueRows* buildKind();
+    ValueRows* buildFingerRows();
+    ValueRows* buildStripRows();
+    void connectField(NumberField* field, const char* name, void (VirtualTest::*set)(double));
     QWidget* buildButtons();
     void press();
     void refresh();
     void showTest();
     void showNews();
     void showPublished();
+    bool isSlack() const;
     QString remark() const;
     QString remarkOnTime() const;
     QString remarkOnFormer() const;
+    QString remarkOnFormerStrip() const;
     QString remarkOnPlace() const;
 
     Document& m_document;
@@ -46,6 +51,8 @@ private:
     QComboBox* m_kind;
     ValueRows* m_rows;
     NumberField *m_radius, *m_depth, *m_force, *m_duration;
+    NumberField *m_length, *m_width, *m_stretch, *m_turn;
+    QStackedWidget* m_sizes; ///< of a finger, or of a strip
     WorkNews* m_news;
     QStackedWidget* m_figures; ///< of each kind of test
     ElidedLabel* m_published;  ///< what is published of the tissue there

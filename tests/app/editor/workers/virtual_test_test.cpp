@@ -84,6 +84,32 @@ TEST_F(VirtualTestTest, AnotherFluidWithinIsAnotherOrgan) {
     ESM_EVENTUALLY(test.isOutdated());
 }
 
+TEST_F(VirtualTestTest, PullsAStripWhateverHoldsTheOrgan) {
+    EXPECT_FALSE(test.stripFrame());
+    test.choosePlace(placeIn(5));
+    ASSERT_TRUE(test.stripFrame());
+    test.chooseKind(TestKind::Strip);
+    test.setStripLength(0.07);
+    test.setStripWidth(0.04);
+    test.setStretch(0.2);
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    const StripResult soft = test.latest()->strip->result;
+    EXPECT_GT(soft.curve.back().force, 0);
+    EXPECT_GT(std::abs(soft.along.dot(test.stripFrame()->along)), 0.9) << "it is drawn as it is cut";
+    document.edit("tethers", [](Project& project) { project.scene.tethers.clear(); });
+    awaitTissue();
+    EXPECT_FALSE(test.isOutdated()) << "a strip that is cut out is held by nothing";
+    stiffen();
+    ESM_EVENTUALLY(test.isOutdated());
+    measure();
+    ASSERT_TRUE(test.former());
+    EXPECT_GT(test.latest()->strip->result.stiffness, 1.3 * soft.stiffness);
+    test.setTurn(30);
+    measure();
+    EXPECT_FALSE(test.former()) << "another direction is another test";
+}
+
 TEST_F(VirtualTestTest, WhatIsKeptStaysWhateverIsMeasured) {
     test.choosePlace(placeIn(5));
     measure();
@@ -129,7 +155,7 @@ TEST_F(VirtualTestTest, AnotherOrganHasNeitherPlaceNorResult) {
 
 TEST_F(VirtualTestInTime, StaysAndTellsHowTheForceFalls) {
     test.choosePlace(placeIn(5));
-    test.chooseKind(FingerTest::Stay);
+    test.chooseKind(TestKind::Stay);
     test.setDuration(0.5);
     measure();
     ASSERT_TRUE(test.latest()) << test.failure();
@@ -147,7 +173,7 @@ TEST_F(VirtualTestInTime, PushesWithWhatTheLastPressMetUntilAForceIsChosen) {
     ASSERT_TRUE(test.latest());
     const double met = test.latest()->result.curve.back().force;
     EXPECT_NEAR(test.force(), met, 0.05 * met) << "in two digits";
-    test.chooseKind(FingerTest::Push);
+    test.chooseKind(TestKind::Push);
     test.setDuration(0.5);
     test.setDepth(0.9); // which a push does not ask for
     measure();
@@ -156,7 +182,7 @@ TEST_F(VirtualTestInTime, PushesWithWhatTheLastPressMetUntilAForceIsChosen) {
     EXPECT_NEAR(test.latest()->inTime()->end.depth, 0.001, 0.0001) << "where the press met that force";
     test.setForce(2 * test.force());
     const double chosen = test.force();
-    test.chooseKind(FingerTest::Press);
+    test.chooseKind(TestKind::Press);
     test.setDepth(0.001);
     measure();
     EXPECT_EQ(test.force(), chosen);
@@ -168,13 +194,13 @@ TEST_F(VirtualTestInTime, EachKindOfTestHasItsOwnResultAndFailure) {
     const VirtualTest::Press pressed = test.latest();
     ASSERT_TRUE(pressed);
     test.keepLatest();
-    test.chooseKind(FingerTest::Push);
+    test.chooseKind(TestKind::Push);
     EXPECT_FALSE(test.latest());
     EXPECT_FALSE(test.former());
     test.setForce(1e5);
     measure();
     EXPECT_NE(test.failure(), "");
-    test.chooseKind(FingerTest::Press);
+    test.chooseKind(TestKind::Press);
     EXPECT_EQ(test.failure(), "");
     EXPECT_EQ(test.latest(), pressed);
     EXPECT_EQ(test.former(), pressed);
@@ -184,7 +210,7 @@ TEST_F(VirtualTestInTime, ViscosityCountsForTestsInTimeAlone) {
     test.choosePlace(placeIn(5));
     test.setForce(0.05);
     measure();
-    test.chooseKind(FingerTest::Push);
+    test.chooseKind(TestKind::Push);
     measure();
     const VirtualTest::Press before = test.latest();
     ASSERT_TRUE(before) << test.failure();
@@ -199,7 +225,7 @@ TEST_F(VirtualTestInTime, ViscosityCountsForTestsInTimeAlone) {
     test.setForce(1.5 * test.force());
     measure();
     EXPECT_FALSE(test.former()) << "another force says nothing of the tissue";
-    test.chooseKind(FingerTest::Press);
+    test.chooseKind(TestKind::Press);
     EXPECT_FALSE(test.isOutdated()) << "at rest no damper bears anything";
 }
 

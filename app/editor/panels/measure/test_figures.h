@@ -5,6 +5,6 @@
 namespace esm {
 
 /// The numbers that one kind of test tells.
-std::vector<PressFigure> fingerFigures(FingerTest kind);
+std::vector<PressFigure> testFigures(TestKind kind);
 
 } // namespace esm

@@ -1,4 +1,4 @@
-#include "app/editor/panels/measure/finger_figures.h"
+#include "app/editor/panels/measure/test_figures.h"
 
 #include "core/probing/standing_finger.h"
 
@@ -92,11 +92,51 @@ std::vector<PressFigure> figuresOfPush() {
                    tissueTime)};
 }
 
+Value inThousands(const Value& value) {
+    return value ? Value(*value / 1000) : std::nullopt;
+}
+
+std::vector<PressFigure> figuresOfStrip() {
+    return {
+        figure(QObject::tr("Elongation, mm"), "stripElongation",
+               QObject::tr("By which the clamps are further apart at the end"),
+               [](const MeasuredPress& test) -> Value {
+                   return 1000 * test.strip->result.curve.back().elongation;
+               }),
+        figure(
+            QObject::tr("Strain in the middle, %"), "stripStrain",
+            QObject::tr("By which the tissue in the middle is longer, which the clamps do not disturb. Less "
+                        "than what was asked where the strip was bent and is first straightened"),
+            [](const MeasuredPress& test) -> Value { return 100 * test.strip->result.curve.back().strain; }),
+        figure(QObject::tr("Force, N"), "stripForce", QObject::tr("With which each clamp pulls at the end"),
+               [](const MeasuredPress& test) -> Value { return test.strip->result.curve.back().force; }),
+        figure(QObject::tr("Stiffness at the end, N/mm"), "stripStiffness",
+               QObject::tr("How steeply the force rises at the end"),
+               [](const MeasuredPress& test) -> Value { return test.strip->result.stiffness / 1000; }),
+        figure(QObject::tr("Stiffness of the wall, N/m"), "membraneStiffness",
+               QObject::tr("Of a hollow organ: Young's modulus times thickness, by the last step"),
+               [](const MeasuredPress& test) { return test.strip->result.membraneStiffness; }),
+        figure(
+            QObject::tr("Young's modulus, kPa"), "stripModulus",
+            QObject::tr("Of the tissue that was cut out, by the last step; of a hollow organ with the wall "
+                        "thickness that the workspace Tissue states"),
+            [](const MeasuredPress& test) { return inThousands(test.strip->result.youngsModulus); })};
+}
+
 } // namespace
 
-std::vector<PressFigure> fingerFigures(FingerTest kind) {
-    if (kind == FingerTest::Press) return figuresOfPress();
-    return kind == FingerTest::Stay ? figuresOfStay() : figuresOfPush();
+std::vector<PressFigure> testFigures(TestKind kind) {
+    switch (kind) {
+    case TestKind::Press:
+        return figuresOfPress();
+    case TestKind::Stay:
+        return figuresOfStay();
+    case TestKind::Push:
+        return figuresOfPush();
+    case TestKind::Strip:
+        break;
+    }
+    return figuresOfStrip();
 }
 
 } // namespace esm
