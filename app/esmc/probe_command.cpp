@@ -96,7 +96,9 @@ ProbeSettings fingerOf(const ProbeOptions& options) {
 
 StripSettings stripOf(const ProbeOptions& options) {
     const std::vector<double> numbers = parseNumbers(*options.strip, "--strip");
-    if (numbers.size() != 2) throw UsageError("--strip: two numbers are meant, \"length width\"");
+    if (numbers.size() != 2 || !isPositive(numbers[0]) || !isPositive(numbers[1]))
+        throw UsageError("--strip: two numbers above 0 are meant, \"length width\"");
+    if (options.stretch > largestStretch) throw UsageError("--stretch: at most 1, to twice the length");
     StripSettings settings;
     settings.along = threeNumbers(options.along, "--along");
     settings.length = numbers[0];
@@ -149,6 +151,8 @@ Report runProbe(const ProbeOptions& options, Context& context) {
     TestCurves curves;
     Tested all = tested(settings, model, options.model, progressOf(context, "measuring"), curves);
     if (!options.other.empty()) {
+        // Of another net the organ might be longest in another direction.
+        if (all.along) std::get<StripSettings>(settings).along = all.along;
         const RunnableModel other = loadRunnableModel(options.other, "", context);
         addOther(tested(settings, other, options.other, progressOf(context, "measuring the other"), curves),
                  options.other, all);

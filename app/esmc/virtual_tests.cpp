@@ -79,14 +79,14 @@ Json stripInJson(const StripResult& result, const StripSettings& settings) {
 std::vector<std::string> stripInText(const StripResult& result) {
     const StripPoint& full = result.curve.back();
     std::vector<std::string> text;
-    text.push_back(inText(full.force) + " N at " + inText(1000 * full.elongation) + " mm, stretched at " +
-                   inText(result.place) + " m along " + inText(result.along) + "; in the middle by " +
-                   inText(100 * full.strain) + " %");
+    text.push_back("strip at " + inText(result.place) + " m along " + inText(result.along));
+    text.push_back(inText(full.force) + " N when " + inText(1000 * full.elongation) +
+                   " mm longer; its middle is stretched by " + inText(100 * full.strain) + " %");
     text.push_back("stiffness " + inText(result.stiffnessAtStart / 1000) + " N/mm at the start, " +
                    inText(result.stiffness / 1000) + " N/mm at full stretch");
     if (result.membraneStiffness)
-        text.push_back("the wall stretches with " + inText(*result.membraneStiffness) +
-                       " N/m, Young's modulus times thickness");
+        text.push_back("stiffness of the wall " + inText(*result.membraneStiffness) +
+                       " N/m (Young's modulus times thickness)");
     if (result.youngsModulus)
         text.push_back("Young's modulus " + inText(*result.youngsModulus / 1000) + " kPa");
     return text;
@@ -105,7 +105,7 @@ Tested pressed(const RunnableModel& model, const std::filesystem::path& file, co
                const Progress& progress, TestCurves& curves) {
     const ProbeResult result = probe({model.tissue, model.surface}, settings, progress);
     curves.presses.push_back({file.stem().string(), result.curve});
-    Tested tested{probeInJson(result, settings.radius), probeInText(result), {}};
+    Tested tested{probeInJson(result, settings.radius), probeInText(result), {}, {}};
     if (result.meetsFixed)
         tested.warnings.push_back(file.string() +
                                   ": the finger also lies on fixed nodes, whose force is not counted");
@@ -117,7 +117,8 @@ Tested stretched(const RunnableModel& model, const std::filesystem::path& file, 
     if (model.project) settings.wallThickness = model.project->base.wallThickness;
     const StripResult result = pullStrip({model.tissue, model.surface}, settings, progress);
     curves.strips.push_back({file.stem().string(), result.curve});
-    return {stripInJson(result, settings), stripInText(result), stripWarnings(result, file.string())};
+    return {stripInJson(result, settings), stripInText(result), stripWarnings(result, file.string()),
+            result.along};
 }
 
 } // namespace esm

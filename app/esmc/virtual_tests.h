@@ -12,6 +12,7 @@ struct Tested {
     Json json;
     std::vector<std::string> text;
     std::vector<std::string> warnings;
+    std::optional<Eigen::Vector3d> along{}; ///< of a strip
 };
 
 /// The curves of all models that were tested, for charts and tables; of one kind of test.

@@ -22,7 +22,7 @@ public:
         const auto known = std::find_if(m_cavities.begin(), m_cavities.end(), isNamed);
         if (known != m_cavities.end()) return *known;
         if (const std::string why = whyNoRoom(m_network); !why.empty())
-            throw InvalidModel(entry + ": " + why + "; make it hollow, or leave the fluid out");
+            throw InvalidModel(entry + ": " + why + "; " + adviceOnRoom);
         try {
             return m_cavities.emplace_back(cavityOf(m_network.restPositions, m_surface, part));
         } catch (const InvalidModel& problem) {

@@ -18,6 +18,9 @@ void removeFluids(Scene& scene);
 
 /// Why what fills an organ leaves no room for a fluid; of a hollow one, nothing.
 std::string whyNoRoom(const SpringNetwork& network);
+/// What to do then.
+inline constexpr auto adviceOnRoom =
+    "make the organ hollow, of springs in its surface alone, or leave the fluid out";
 
 /// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
 /// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.

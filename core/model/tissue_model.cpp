@@ -134,8 +134,7 @@ void checkCavities(Problems& problems, const TissueModel& model) {
             problems.push_back("part " + std::to_string(cavity.part) + " of the surface is filled twice");
     }
     const std::string noRoom = whyNoRoom(*model.network);
-    if (!model.cavities.empty() && !noRoom.empty())
-        problems.push_back(noRoom + ": take its inside out, or the fluid");
+    if (!model.cavities.empty() && !noRoom.empty()) problems.push_back(noRoom + "; " + adviceOnRoom);
 }
 
 } // namespace

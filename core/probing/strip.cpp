@@ -5,6 +5,7 @@
 #include "core/probing/strip_gauge.h"
 #include "core/support/errors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -41,8 +42,13 @@ void requireStretchable(const ProbedOrgan& organ, const StripSettings& settings)
         throw InvalidModel("the organ is " + lengthText(size) + " large: choose a smaller strip");
 }
 
-// The clamps hold whole nodes, as those of a laboratory do, rather than let the strip become narrower in
-// them. That stiffens its ends, which the gauge does not see.
+void requireSprings(const TissueModel& strip) {
+    if (std::none_of(strip.ownValues.begin(), strip.ownValues.end(),
+                     [](const SpringValues& values) { return values.springConstant > 0; }))
+        throw InvalidModel("the springs of the strip have a constant of 0 N/m, and resist nothing: choose "
+                           "another place");
+}
+
 /// Where tissue would be that gives way evenly between the clamps.
 Vectors evenlyStretched(const CutStrip& strip, const Vectors& positions, double rest, double longer) {
     Vectors stretched = positions;
@@ -103,6 +109,7 @@ StripResult pullStrip(const ProbedOrgan& organ, const StripSettings& settings, c
     requireSensible(settings);
     requireStretchable(organ, settings);
     const CutStrip strip = cutStrip(organ, settings);
+    requireSprings(strip.tissue);
     const StripGauge gauge(strip, settings.length);
     StripResult result;
     result.place = strip.frame.place;

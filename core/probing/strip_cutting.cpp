@@ -65,12 +65,14 @@ std::vector<char> cellsWithin(const std::vector<TissueCell>& cells, const std::v
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const Vector3d middle = frame.coordinatesOf(middleOf(cells[i], nodes));
         const bool isBeside = std::abs(middle.y()) > settings.width / 2;
-        const bool isBeneath = isDeep ? middle.z() < -settings.width : std::abs(middle.z()) > reach;
+        const bool isBeneath = middle.z() < (isDeep ? -settings.width : -reach);
         const auto isBetween = [&](std::uint32_t node) {
             return std::abs(frame.coordinatesOf(nodes[node]).x()) < reach;
         };
         const auto corners = cells[i].nodes();
-        isWithin[i] = !isBeside && !isBeneath && std::any_of(corners.begin(), corners.end(), isBetween);
+        const bool isAbove = middle.z() > reach;
+        isWithin[i] =
+            !isBeside && !isBeneath && !isAbove && std::any_of(corners.begin(), corners.end(), isBetween);
     }
     return isWithin;
 }
@@ -227,6 +229,8 @@ void requireFinerNodes(const StripSettings& settings, double spacing) {
                        " long");
 }
 
+// The clamps hold whole nodes, as those of a laboratory do, rather than let the strip become narrower in
+// them. That stiffens its ends, which the gauge does not see.
 /// What lies beyond the strip's length on either side is grasped: a row of nodes, as far apart as the mesh
 /// has them.
 void clampEnds(CutStrip& strip, double length) {

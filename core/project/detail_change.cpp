@@ -180,7 +180,7 @@ void requireRoomForFluids(const Project& project) {
     const std::vector<std::uint32_t> parts = fluidParts(project.scene);
     if (parts.empty()) return;
     if (const std::string why = whyNoRoom(*project.network); !why.empty())
-        throw InvalidModel(why + "; take the fluid out of the organ first, or keep it hollow");
+        throw InvalidModel(why + "; " + adviceOnRoom);
     const std::vector<Triangle> surface = simulatedSurface(*project.mesh, *project.network);
     try {
         for (const std::uint32_t part : parts)

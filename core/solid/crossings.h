@@ -16,7 +16,7 @@ struct Crossing {
     double spacing;        ///< of the finest lattice of the bodies that meet, m
 
     /// Narrow enough for a lattice not to see it: no point of it lies deeper than a quarter of the spacing,
-    /// and no spring may run outside less deeply (`deepestChord()`).
+    /// and springs may run outside as deep as that anywhere (`deepestChord()`).
     bool isNarrow() const { return width <= 0.5 * spacing; }
 };
 

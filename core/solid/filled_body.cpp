@@ -93,8 +93,8 @@ void refuseWide(const std::vector<ClosedBody>& bodies, double spacing,
     const double enough = narrowingSpacing(bodies, spacing, widest);
     throw InvalidModel(
         "the surface runs through itself: " + std::to_string(pairs) +
-        " pairs of triangles meet; in the widest place, near " + placeText(widest.place) + ", that is " +
-        inMillimetres(widest.width, 2) + " across, and a spacing of " + inMillimetres(spacing, 3) +
+        " pairs of triangles meet; the widest place, near " + placeText(widest.place) + ", is " +
+        inMillimetres(widest.width, 2) + " across, and a lattice of " + inMillimetres(spacing, 3) +
         " passes over " + inMillimetres(widest.spacing / 2, 2) + " at most; " +
         (enough > 0 ? "choose a spacing of " + inMillimetres(enough, 2) + " or more, " : std::string()) +
         partOrJoinThem);

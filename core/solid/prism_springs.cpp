@@ -16,17 +16,17 @@ struct WallShares {
     double outer, inner, diagonals;
 };
 
-// The levels of a wall lie at z from its middle. Shares sum up to 1, so that it stretches as a sheet, and
-// Σ share·12·z²/t² to 1, so that it bends as a plate: for two layers that would be Simpson's rule, 1/6, 4/6
-// and 1/6, without diagonals. One layer has no level in its middle and bends nearly three times as stiffly as
-// it should. Diagonals give way the more the fewer mirrored neighbours keep the levels from sliding: how much
-// of them counts was measured (docs/prism-walls.md).
+// The levels of a wall lie at z from its middle. What counts of each share sums up to 1 in stretching, as of
+// a sheet, and times 12·z²/t² in bending, as of a plate: for two layers that would be Simpson's rule, 1/6,
+// 4/6 and 1/6, without diagonals. One layer has no level in its middle and bends nearly three times as
+// stiffly as it should. Levels count whole. Diagonals give way the more the fewer mirrored neighbours keep
+// the levels from sliding: how much of them counts was measured (docs/prism-walls.md).
 WallShares wallSharesOf(int layers) {
     constexpr double diagonals = 0.25;
-    if (layers == 1) return {(1 - 0.25 * diagonals) / 2, 0, diagonals};
-    const double inBending = layers == 2 ? 0.28 : 0.9, count = layers;
-    const double outer =
-        (1 - inBending * diagonals - (1 - diagonals) * (count - 2) / count) / (4 + 4 / count);
+    constexpr double countingInStretchOfOne = 0.25, countingInBendOfTwo = 0.28, countingInBend = 0.9;
+    if (layers == 1) return {(1 - countingInStretchOfOne * diagonals) / 2, 0, diagonals};
+    const double counting = layers == 2 ? countingInBendOfTwo : countingInBend, count = layers;
+    const double outer = (1 - counting * diagonals - (1 - diagonals) * (count - 2) / count) / (4 + 4 / count);
     return {outer, (1 - diagonals - 2 * outer) / (count - 1), diagonals};
 }
 

@@ -115,7 +115,7 @@ PrismWall prismWall(const TriangleMesh& mesh, const LatticeFilling& filling, con
 WallFit wallFitOf(const std::vector<Vector3d>& nodes, const Lattice& wall, std::size_t triangles) {
     const auto layers = static_cast<std::size_t>(wall.filling.layers);
     const std::size_t places = nodes.size() / (layers + 1), prisms = wall.tetrahedra.size() / (3 * layers);
-    WallFit fit{places, 0, std::numeric_limits<double>::infinity(), triangles - prisms};
+    WallFit fit{places, 0, std::numeric_limits<double>::infinity(), triangles - std::min(triangles, prisms)};
     for (std::size_t i = 0; i < places; ++i) {
         const double thickness = (nodes[i] - nodes[nodes.size() - places + i]).norm();
         fit.least = std::min(fit.least, thickness);

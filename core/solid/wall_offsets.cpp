@@ -169,12 +169,15 @@ private:
 
     // The nodes of a vertex whose triangles were all left out would be of no tetrahedron. It gets the first
     // prism that is sound with the triangle's own normal as its direction, even where that crosses another.
+    // Its other corners then have one as well, and stay as they are.
     void restoreAtBareVertices() {
-        const std::vector<char> hasPrism = verticesWithPrism();
+        std::vector<char> hasPrism = verticesWithPrism();
         for (std::uint32_t vertex = 0; vertex < hasPrism.size(); ++vertex)
             for (std::size_t i = m_fans.starts[vertex];
                  hasPrism[vertex] == 0 && i < m_fans.starts[vertex + 1]; ++i)
-                if (restore(m_fans.triangles[i], vertex)) break;
+                if (restore(m_fans.triangles[i], vertex))
+                    for (const std::uint32_t corner : m_mesh.triangles[m_fans.triangles[i]])
+                        hasPrism[corner] = 1;
     }
 
     bool restore(std::uint32_t triangle, std::uint32_t vertex) {

@@ -124,7 +124,7 @@ class OptionValueTest(Case):
         self.file("pairs.csv", "photo_x,photo_y,x,y,z\n")
 
     def words(self, name):
-        return [str(self.file(word)) if "." in word else word for word in name.split()]
+        return [str(self.file(word)) if re.search(r"\.[a-z]+$", word) else word for word in name.split()]
 
     def command_of(self, name):
         first = name.split()[:2]
@@ -140,13 +140,19 @@ class OptionValueTest(Case):
         else:
             place = len(self.command_of(name).split())
             line[place + (option == "to")] = value
-        if option != "-o" and self.command_of(name) not in ("info", "fuzzy eval", "fuzzy convert", "stability", "validate"):
+        if option != "-o" and self.command_of(name) not in ("info", "fuzzy eval", "fuzzy convert", "probe", "stability",
+                                                                      "validate"):
             line += ["-o", str(self.file(output))]
         return line
 
     def test_every_option_is_looked_at(self):
         for name, options in COMMANDS.items():
             self.assertEqual(set(options), options_of(self.command_of(name)), name)
+
+    def test_a_line_without_a_wrong_value_is_none(self):
+        for name in COMMANDS:
+            if name.startswith("probe"):
+                self.assertNotEqual(command(*self.words(name)).returncode, 2, name)
 
     def test_a_wrong_value_is_wrong_usage(self):
         before = sorted(self.folder.rglob("*"))

@@ -210,7 +210,7 @@ QString BodyQuestion::suggestion() const {
             .arg(countText(static_cast<std::size_t>(m_solidNodes)));
     if (body() == Prisms)
         return tr("%1 layers of prisms. Where the organ is too narrow the wall is thinner: Model → Inside… "
-                  "then says where, and takes other thicknesses.")
+                  "then says at how many vertices, and takes other thicknesses.")
             .arg(wall().layers);
     if (m_vertices <= suggestedNodes)
         return tr("Recommended: every vertex. So few usually move in real time.");

@@ -32,9 +32,9 @@ QString workText(LatticeKind kind, double nodes, std::size_t vertices) {
 QString thinnerText(const WallFit& fit) {
     QString text;
     if (fit.thinner > 0) text = QObject::tr("There is not room for that everywhere: ") + thinWallText(fit);
-    if (fit.leftOut == 1) text += QObject::tr(" Under 1 triangle there is none.");
+    if (fit.leftOut == 1) text += QObject::tr(" There is no wall under 1 triangle.");
     if (fit.leftOut > 1)
-        text += QObject::tr(" Under %1 triangles there is none.").arg(countText(fit.leftOut));
+        text += QObject::tr(" There is no wall under %1 triangles.").arg(countText(fit.leftOut));
     return text.trimmed();
 }
 

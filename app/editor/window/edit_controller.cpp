@@ -88,7 +88,7 @@ void EditController::enable(const Actions& actions) {
     const bool canBeCoarser = project.mesh->vertices.size() > fewestVertices;
     allow(actions.chooseDetail, canBeCoarser && !hasWall(project),
           canBeCoarser ? tr("A wall of prisms has nodes at every vertex: Model → Inside… chooses its layers, "
-                            "or makes the organ hollow")
+                            "or takes it away")
                        : tr("This model has no surface that fewer nodes could carry"));
     allow(actions.chooseInside, !project.mesh->triangles.empty(),
           tr("This model has no surface that could be filled"));

@@ -234,7 +234,10 @@ bool Preview::workOnce(Worker& worker) {
     if (inbox.reset) run.reset();
     if (inbox.playScene) run.beginScene();
     if (inbox.record) run.reset();
-    if (inbox.reset || inbox.playScene) endRecording();
+    if (inbox.reset || inbox.playScene) {
+        const std::lock_guard lock(m_mutex);
+        m_recorder.reset();
+    }
     // An organ that another one is to replace rests.
     const bool isWanted = inbox.playing && run.network() == inbox.network;
     const bool canPlay = isWanted && run.isReady();

@@ -21,7 +21,7 @@ constexpr double touchShare = 0.02;
 constexpr int forceDigits = 2; ///< of a force that is taken over from a press
 
 /// Whether springs resist the same at rest, where no damper bears anything.
-bool drawAlike(const std::vector<SpringValues>& a, const std::vector<SpringValues>& b) {
+bool resistAlike(const std::vector<SpringValues>& a, const std::vector<SpringValues>& b) {
     return std::equal(
         a.begin(), a.end(), b.begin(), b.end(),
         [](const SpringValues& x, const SpringValues& y) { return x.springConstant == y.springConstant; });
@@ -30,7 +30,7 @@ bool drawAlike(const std::vector<SpringValues>& a, const std::vector<SpringValue
 /// Whether strips of both stretch alike, that nothing holds.
 bool stretchAlike(const TissueModel& a, const TissueModel& b) {
     return a.network == b.network && a.springConstant == b.springConstant && a.stiffening == b.stiffening &&
-           drawAlike(a.ownValues, b.ownValues) && a.hinges == b.hinges;
+           resistAlike(a.ownValues, b.ownValues) && a.hinges == b.hinges;
 }
 
 /// Whether a test meets the same in both. What takes no part at rest may differ, but for tests in time.
@@ -44,7 +44,7 @@ bool meetAlike(TestKind kind, const TissueModel& a, const TissueModel& b) {
 }
 
 bool isSameStrip(const StripSettings& a, const StripSettings& b) {
-    return a.length == b.length && a.width == b.width && a.turn == b.turn;
+    return a.length == b.length && a.width == b.width && a.along == b.along;
 }
 
 /// Whether two tests can differ by the tissue alone. Curves of force over depth, or over elongation, go on
@@ -231,6 +231,10 @@ void VirtualTest::press() {
     Question question{m_kind, m_preview.tissue(), m_document.project().mesh, wantedSettings(), m_strip};
     question.strip.place = question.settings.place;
     question.strip.wallThickness = m_document.project().base.wallThickness;
+    if (m_stripFrame) { // as it is drawn, however the nodes beneath lie
+        question.strip.along = m_stripFrame->along;
+        question.strip.turn = 0;
+    }
     of(m_kind).failure.clear();
     m_progress = 0;
     m_isPressing = true;
@@ -305,7 +309,7 @@ void VirtualTest::forgetFormer() {
 
 /// A place stays on the same corners of another shape of the same organ, and of another net in it.
 void VirtualTest::followDocument(const Change& change) {
-    if (!change.mesh) return;
+    if (!change.mesh) return emit changed(); // the wall's thickness may be another
     const std::shared_ptr<const TriangleMesh> mesh = m_document.project().mesh;
     const bool isSame = !mesh->triangles.empty() && mesh->vertices.size() == m_mesh->vertices.size() &&
                         mesh->triangles == m_mesh->triangles;
@@ -313,6 +317,16 @@ void VirtualTest::followDocument(const Change& change) {
     if (!isSame) return forget();
     fitStrip();
     layStrip();
+}
+
+/// Its thickness takes no part in what is measured, but in the modulus of a strip of it.
+bool VirtualTest::isOfAnotherWall(const MeasuredPress& press) const {
+    return press.strip && !press.tissue->network->lattice &&
+           press.strip->settings.wallThickness != m_document.project().base.wallThickness;
+}
+
+bool VirtualTest::isOutdated() const {
+    return shown().isOutdated || (latest() && isOfAnotherWall(*latest()));
 }
 
 void VirtualTest::followTissue() {

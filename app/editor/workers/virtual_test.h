@@ -91,7 +91,7 @@ public:
     /// same place, or what was kept. Null without.
     const Press& former() const { return shown().former; }
     /// Whether the organ's tissue is another than that which was measured last.
-    bool isOutdated() const { return shown().isOutdated; }
+    bool isOutdated() const;
     /// From now on what was measured last is compared with, whatever is measured; until forgetFormer().
     void keepLatest();
     void forgetFormer();
@@ -117,6 +117,7 @@ private:
 
     Measured& of(TestKind kind) { return m_measured.at(static_cast<std::size_t>(kind)); }
     const Measured& shown() const { return m_measured.at(static_cast<std::size_t>(m_kind)); }
+    bool isOfAnotherWall(const MeasuredPress& press) const;
     ProbeSettings wantedSettings() const;
     Press answerTo(const Worker::Task& task);
     void hear();

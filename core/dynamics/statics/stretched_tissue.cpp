@@ -30,7 +30,8 @@ void StretchedTissue::settle(const Vectors& expected) {
     Vectors stayed = m_positions;
     for (std::size_t i = 0; i < stayed.size(); ++i)
         if (m_system.fixed[i]) stayed[i] = expected[i];
-    m_positions = m_potential.value(expected) < m_potential.value(stayed) ? expected : std::move(stayed);
+    if (m_potential.value(expected) < m_potential.value(stayed)) stayed = expected;
+    m_positions = std::move(stayed);
     Vectors forces;
     for (int step = 0; step < mostDownhillSteps; ++step) {
         if (m_checkpoint) m_checkpoint();

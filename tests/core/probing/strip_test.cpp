@@ -86,7 +86,7 @@ TEST(Strip, IsTurnedToTheLeft) {
 }
 
 TEST(Strip, TellsTheModulusOfUnevenNets) {
-    for (const std::uint32_t seed : {1, 2, 3}) {
+    for (const std::uint32_t seed : {1U, 2U, 3U}) {
         const Sheet sheet(ofEdge(test::jittered(test::regularNet(40, 46), 0.35, seed), edge));
         StripSettings settings = stripAt(sheet.middle, Vector3d(1, seed, 0));
         settings.wallThickness = 0.003;
@@ -212,6 +212,12 @@ TEST_F(RefusedStrip, IsNoTest) {
     refused(&StripSettings::along, Vector3d(0, 0, 1), "along the organ's surface");
     refused(&StripSettings::along, Vector3d(0, 0, 0), "along the organ's surface");
     refused(&StripSettings::place, Vector3d(0, 0, 1), "off the organ's surface");
+}
+
+TEST_F(RefusedStrip, HasNothingThatResists) {
+    for (SpringValues& values : sheet.model.ownValues)
+        values.springConstant = 0;
+    EXPECT_THAT(problem(settings), testing::HasSubstr("constant of 0 N/m"));
 }
 
 TEST_F(RefusedStrip, HasNothingToStretch) {

@@ -133,7 +133,7 @@ QWidget* VirtualTestPanel::buildQuestion() {
     column->addWidget(m_said);
     auto* rows = new ValueRows(whole);
     m_place = rows->addText(tr("Place"), QStringLiteral("pressPlace"));
-    m_place->setToolTip(tr("Where it presses, on the organ at rest"));
+    m_place->setToolTip(tr("Where the finger presses, or the middle of the strip, on the organ at rest"));
     m_choose->setObjectName(QStringLiteral("choosePressPlace"));
     column->addWidget(rows);
     column->addWidget(m_choose);
@@ -338,7 +338,7 @@ QString VirtualTestPanel::remarkOnFormerStrip() const {
         return tr("What stands under before was measured with a strip of %1 by %2.")
             .arg(withUnit(1000 * before.length, QStringLiteral("mm"), 3),
                  withUnit(1000 * before.width, QStringLiteral("mm"), 3));
-    if (before.place != now.place || before.turn != now.turn)
+    if (before.place != now.place || before.along != now.along)
         return tr("What stands under before was measured at another place, or in another direction.");
     return {};
 }

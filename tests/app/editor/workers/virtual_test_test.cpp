@@ -100,6 +100,10 @@ TEST_F(VirtualTestTest, PullsAStripWhateverHoldsTheOrgan) {
     document.edit("tethers", [](Project& project) { project.scene.tethers.clear(); });
     awaitTissue();
     EXPECT_FALSE(test.isOutdated()) << "a strip that is cut out is held by nothing";
+    document.edit("thicker", [](Project& project) { project.base.wallThickness *= 2; });
+    EXPECT_TRUE(test.isOutdated()) << "the modulus goes by the thickness";
+    document.undoStack()->undo();
+    EXPECT_FALSE(test.isOutdated());
     stiffen();
     ESM_EVENTUALLY(test.isOutdated());
     measure();
@@ -151,6 +155,17 @@ TEST_F(VirtualTestTest, AnotherOrganHasNeitherPlaceNorResult) {
     EXPECT_FALSE(test.isPressing());
     EXPECT_FALSE(test.place());
     EXPECT_FALSE(test.latest());
+}
+
+TEST_F(VirtualTestInTime, AStripIsDrawnAsItIsCut) {
+    test.choosePlace(placeIn(5));
+    test.chooseKind(TestKind::Strip);
+    test.setStripLength(0.09);
+    test.setStripWidth(0.045);
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    EXPECT_GT(test.latest()->strip->result.along.dot(test.stripFrame()->along), 0.99);
+    EXPECT_FALSE(test.latest()->strip->result.membraneStiffness);
 }
 
 TEST_F(VirtualTestInTime, StaysAndTellsHowTheForceFalls) {
