@@ -42,6 +42,7 @@ void requireStretchable(const ProbedOrgan& organ, const StripSettings& settings)
         throw InvalidModel("the organ is " + lengthText(size) + " large: choose a smaller strip");
 }
 
+/// Tissue of no stiffness has no balance to be found, and nothing to be told of.
 void requireSprings(const TissueModel& strip) {
     if (std::none_of(strip.ownValues.begin(), strip.ownValues.end(),
                      [](const SpringValues& values) { return values.springConstant > 0; }))

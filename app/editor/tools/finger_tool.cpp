@@ -92,7 +92,8 @@ void FingerTool::draw(QPainter& painter, const Sight& sight, const QPalette& pal
 }
 
 QString FingerTool::hint() const {
-    if (!m_test.place()) return {};
+    if (!m_test.place())
+        return m_test.kind() == TestKind::Strip ? tr("Click the organ: there the strip is cut") : QString();
     return m_test.kind() == TestKind::Strip
                ? tr("The column at the left measures · click elsewhere to cut there · a drag turns the view")
                : tr("The column at the left measures · click elsewhere to move the finger · a drag turns the "

@@ -153,6 +153,7 @@ void PokeTest::forgetFormer() {
 /// Another net of the same surface is still the organ that was poked.
 void PokeTest::followDocument(const Change& change) {
     const bool interrupts = change.mesh && isRecording();
+    m_motions.failure.clear(); // what is said now is what to do after the change
     if (m_poke && m_pokedMesh != m_document.project().mesh) forget();
     if (m_motions.latest) m_motions.isOutdated = !movesAlike(m_motions.latest->project, m_document.project());
     if (interrupts) {

@@ -343,6 +343,7 @@ void VirtualTest::forget() {
     m_measured = {};
     if (!m_isForceChosen) m_force = firstForce;
     fitFinger();
+    m_isStripChosen = false; // its size fits no other organ
     fitStrip();
     layStrip();
     emit changed();

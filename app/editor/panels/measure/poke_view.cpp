@@ -92,7 +92,8 @@ QLayout* PokeView::buildPlayer() {
     row->addWidget(m_time);
     row->addWidget(m_leave);
     PokePlayer& player = m_test.player();
-    connect(m_watch, &QPushButton::clicked, &player, [&player] {
+    connect(m_watch, &QPushButton::clicked, &player, [this, &player] {
+        m_watch->setFocus(); // so that the space bar pauses, and does not press what was pressed before
         if (player.isPlaying())
             player.pause();
         else

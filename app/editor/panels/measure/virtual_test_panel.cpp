@@ -77,6 +77,11 @@ QString placeText(const std::optional<Eigen::Vector3d>& place) {
     return VirtualTestPanel::tr("%1, %2, %3 mm").arg(millimetres(0), millimetres(1), millimetres(2));
 }
 
+bool isMostlySlack(const MeasuredStrip& strip) {
+    const StripPoint& end = strip.result.curve.back();
+    return end.strain < 0.5 * end.elongation / strip.settings.length;
+}
+
 /// Rows that keep their height on a page that is higher.
 QWidget* standingAtTop(ValueRows* rows) {
     auto* page = new QWidget;
@@ -279,7 +284,8 @@ void VirtualTestPanel::showPublished() {
 void VirtualTestPanel::showNews() {
     const bool isPressing = m_test.isPressing();
     m_news->setProgress(isPressing ? std::optional(m_test.progress()) : std::nullopt);
-    const QString failure = isPressing ? QString() : sentence(m_test.failure());
+    QString failure = isPressing ? QString() : sentence(m_test.failure());
+    if (!failure.isEmpty() && m_test.latest()) failure += tr("; the numbers below are of the test before");
     m_news->say(failure.isEmpty() ? remark() : failure,
                 !failure.isEmpty() || m_test.isOutdated() || isSlack());
 }
@@ -299,6 +305,9 @@ QString VirtualTestPanel::remark() const {
     if (isSlack())
         return tr("The strip is slack to the end, as one that is bent is until it is straight: stretch it by "
                   "more.");
+    if (latest->strip && isMostlySlack(*latest->strip))
+        return tr("The strip was slack for most of the way, until it was straight: stretch it by more to "
+                  "measure it well.");
     const QString onTime = remarkOnTime();
     return onTime.isEmpty() ? remarkOnFormer() : onTime;
 }
