@@ -119,6 +119,7 @@ int runCommandLine(int argc, char** argv) {
     } catch (const UsageError& error) {
         return fail(WrongUsage, std::string(error.what()) + "; see " + fullName(named(app)) + " --help");
     } catch (const Cancelled&) {
+        context.interruption.acknowledge();
         return fail(Failed, "stopped; nothing was written");
     } catch (const FileError& error) {
         return fail(Failed, error.what());

@@ -31,11 +31,7 @@ Interruption::Interruption() {
 }
 
 Interruption::~Interruption() {
-    {
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        m_disarmed = true;
-    }
-    m_disarming.notify_all();
+    acknowledge();
     pthread_kill(m_watcher.native_handle(), wakeSignal);
     m_watcher.join();
 }
@@ -49,6 +45,14 @@ void Interruption::disarm() {
     const std::lock_guard<std::mutex> lock(m_mutex);
     if (m_requested) throw Cancelled();
     m_disarmed = true;
+}
+
+void Interruption::acknowledge() {
+    {
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        m_disarmed = true;
+    }
+    m_disarming.notify_all();
 }
 
 void Interruption::watch() {

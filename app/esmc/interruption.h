@@ -21,6 +21,8 @@ public:
     /// Nothing stops the work any more: for the moment in which several outputs take their places together.
     /// @throws Cancelled when it was to stop already
     void disarm();
+    /// The work has stopped as it was asked to: nothing ends it from outside any more, with words of its own.
+    void acknowledge();
 
 private:
     void watch();

@@ -112,5 +112,5 @@ TEST(Fluids, AreMissedInTheWordsOfTheOrganWhereItsDetailChanges) {
     EXPECT_THAT(refused({Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::BodyCentred, 0.02}}),
                 StartsWith("a lattice fills this organ, and leaves no room for a fluid"));
     EXPECT_THAT(refused({Detail::Kind::Filled, 0, LatticeFilling{LatticeKind::Prisms, 0, 0.003, 2}}),
-                StartsWith("within a wall of prisms a fluid is not computed yet; take the fluid out"));
+                StartsWith("within a wall of prisms a fluid is not computed yet; make the organ hollow"));
 }
