@@ -13,7 +13,7 @@ namespace {
 
 constexpr double samePlace = 1e-9;  ///< m
 constexpr double roundTo = 5e-5;    ///< m, of a finger that is made to fit
-constexpr double nodesAcross = 2.5; ///< at least, of a strip that is made to fit
+constexpr double nodesAcross = 3.5; ///< at least, of a strip that is made to fit
 constexpr double firstForce = 0.05; ///< N, before anything was pressed
 constexpr double firstDuration = 2; ///< s; dents of soft organs take this long
 /// Of the radius: so deep a finger goes first that is then pushed with a force, whatever depth that leads to.
@@ -125,14 +125,14 @@ void VirtualTest::fitFinger() {
     m_settings.depth = m_settings.radius / 2;
 }
 
-/// A third as wide as long: at most of the usual length, or a fifth of the organ's diagonal where that is
+/// A third as wide as long: at most of the usual length, or an eighth of the organ's diagonal where that is
 /// less, but of a few nodes across.
 void VirtualTest::fitStrip() {
     if (m_isStripChosen) return;
     const Project& project = m_document.project();
     const double size = organBox(*project.mesh, *project.network).diagonal().norm();
     const double least = std::min(3 * nodesAcross * meanLength(project.network->springs), size / 3);
-    const double length = std::max(std::min(size / 5, StripSettings().length), least);
+    const double length = std::max(std::min(size / 8, StripSettings().length), least);
     m_strip.length = std::max(std::round(length / 3 / roundTo), 1.0) * 3 * roundTo;
     m_strip.width = m_strip.length / 3;
 }
