@@ -23,6 +23,11 @@ void BlockEntries::addBetween(std::uint32_t first, std::uint32_t second, const E
     add(std::max(first, second), std::min(first, second), -block);
 }
 
+void BlockEntries::addToDiagonal(double number) {
+    for (int row = 0; row < m_rows; ++row)
+        m_entries.emplace_back(row, row, number);
+}
+
 Eigen::SparseMatrix<double> BlockEntries::matrix() const {
     Eigen::SparseMatrix<double> result(m_rows, m_rows);
     result.setFromTriplets(m_entries.begin(), m_entries.end());

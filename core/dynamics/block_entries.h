@@ -23,6 +23,9 @@ public:
     /// The same of what acts between two nodes alone: a block at each, and what they take from each other.
     void addBetween(std::uint32_t first, std::uint32_t second, const Eigen::Matrix3d& block);
 
+    /// The same to every row: all nodes are tied to where they are by so much.
+    void addToDiagonal(double number);
+
     Eigen::SparseMatrix<double> matrix() const;
 
 private:

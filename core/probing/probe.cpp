@@ -3,6 +3,7 @@
 #include "core/dynamics/settling.h"
 #include "core/probing/indenter_placing.h"
 #include "core/probing/press_curve.h"
+#include "core/probing/probed_spot.h"
 #include "core/probing/time_curves.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
@@ -55,13 +56,11 @@ void requireFitting(const ProbedOrgan& organ, const ProbeSettings& settings) {
     const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
     const double least = size / 10000, most = 10 * size;
     if (settings.radius < least || settings.radius > most)
-        throw InvalidModel("the finger's radius must be from " + roundedText(1000 * least, 3) + " to " +
-                           roundedText(1000 * most, 3) + " mm, as the organ is " +
-                           roundedText(1000 * size, 3) + " mm large");
+        throw InvalidModel("the finger's radius must be from " + lengthText(least) + " to " +
+                           lengthText(most) + ", as the organ is " + lengthText(size) + " large");
     if (settings.depth > size)
-        throw InvalidModel("the organ is " + roundedText(1000 * size, 3) +
-                           " mm large: press less deep than " + roundedText(1000 * settings.depth, 3) +
-                           " mm");
+        throw InvalidModel("the organ is " + lengthText(size) + " large: press less deep than " +
+                           lengthText(settings.depth));
 }
 
 // What nothing holds would be pushed away as a whole, and has no place of rest. It stays where it is, as if
@@ -81,9 +80,9 @@ SpringSystem heldSystem(const TissueModel& model) {
 // As deep as the organ, the finger would press one wall through the other, of which neither knows.
 void requireWithin(const PlacedIndenter& placed, const ProbeSettings& settings) {
     if (settings.depth >= placed.thickness)
-        throw InvalidModel("the organ is " + roundedText(1000 * placed.thickness, 3) +
-                           " mm thick there, so that " + roundedText(1000 * settings.depth, 3) +
-                           " mm would press one side through the other: press less deep");
+        throw InvalidModel("the organ is " + lengthText(placed.thickness) + " thick there, so that " +
+                           lengthText(settings.depth) +
+                           " would press one side through the other: press less deep");
 }
 
 double slopeOf(const PressPoint& from, const PressPoint& to) {

@@ -38,13 +38,6 @@ std::vector<TissueCell> cellsOf(const ProbedOrgan& organ) {
     return cells;
 }
 
-Vector3d middleOf(const TissueCell& cell, const std::vector<Vector3d>& nodes) {
-    Vector3d middle = Vector3d::Zero();
-    for (const std::uint32_t node : cell.nodes())
-        middle += nodes[node] / static_cast<double>(cell.cornerCount);
-    return middle;
-}
-
 /// m, of the cells' edges, a mean.
 double edgeLength(const std::vector<TissueCell>& cells, const std::vector<Vector3d>& nodes) {
     double sum = 0;
@@ -253,6 +246,13 @@ void clampEnds(CutStrip& strip, double length) {
 double sizeOf(const TissueCell& cell, const std::vector<Vector3d>& nodes) {
     if (cell.cornerCount == 4) return std::abs(volumeOf(cell.corners, nodes));
     return areaNormal(nodes, Triangle{cell.corners[0], cell.corners[1], cell.corners[2]}).norm() / 2;
+}
+
+Vector3d middleOf(const TissueCell& cell, const std::vector<Vector3d>& nodes) {
+    Vector3d middle = Vector3d::Zero();
+    for (const std::uint32_t node : cell.nodes())
+        middle += nodes[node] / static_cast<double>(cell.cornerCount);
+    return middle;
 }
 
 // Cells are taken or left whole. Were they cut in two, the strip would need springs that the organ has not,

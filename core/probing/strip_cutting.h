@@ -18,6 +18,9 @@ struct TissueCell {
 /// m² of a triangle, m³ of a tetrahedron.
 double sizeOf(const TissueCell& cell, const std::vector<Eigen::Vector3d>& nodes);
 
+/// The mean of its corners, m.
+Eigen::Vector3d middleOf(const TissueCell& cell, const std::vector<Eigen::Vector3d>& nodes);
+
 /// A strip by itself, between two clamps.
 struct CutStrip {
     StripFrame frame;

@@ -1,11 +1,9 @@
 #include "core/probing/strip_frame.h"
 
+#include "core/geometry/principal_axes.h"
 #include "core/support/errors.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-
-#include <array>
 
 namespace esm {
 
@@ -14,18 +12,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double leastSlant = 0.2; ///< of a direction that lies along a surface, as a sine
-
-/// The directions in which an organ is longest, longest first.
-std::array<Vector3d, 3> longDirections(const std::vector<Vector3d>& nodes) {
-    Vector3d middle = Vector3d::Zero();
-    for (const Vector3d& node : nodes)
-        middle += node / static_cast<double>(nodes.size());
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Vector3d& node : nodes)
-        spread += (node - middle) * (node - middle).transpose();
-    const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
-    return {axes.col(2), axes.col(1), axes.col(0)};
-}
 
 /// What of a direction lies along a surface; none where it points through it.
 std::optional<Vector3d> alongSurface(const Vector3d& direction, const Vector3d& outward) {
@@ -46,8 +32,9 @@ Vector3d directionOf(const std::vector<Vector3d>& places, const StripSettings& s
                                "organ's surface at the place, not through it");
         return *along;
     }
-    for (const Vector3d& direction : longDirections(places))
-        if (const auto along = alongSurface(direction, outward)) return *along;
+    const Eigen::Matrix3d axes = principalAxes(places);
+    for (const Eigen::Index longest : {2, 1, 0})
+        if (const auto along = alongSurface(axes.col(longest), outward)) return *along;
     return outward.unitOrthogonal();
 }
 

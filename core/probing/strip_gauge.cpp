@@ -34,10 +34,7 @@ StripGauge::StripGauge(const CutStrip& strip, double length)
     : m_along(strip.frame.along), m_window(seenPart * length) {
     const std::vector<Vector3d>& rest = strip.tissue.network->restPositions;
     for (const TissueCell& cell : strip.cells) {
-        Vector3d middle = Vector3d::Zero();
-        for (const std::uint32_t node : cell.nodes())
-            middle += rest[node] / static_cast<double>(cell.cornerCount);
-        const double part = seen(strip.frame.coordinatesOf(middle).x(), m_window);
+        const double part = seen(strip.frame.coordinatesOf(middleOf(cell, rest)).x(), m_window);
         if (part <= 0) continue;
         const Eigen::Matrix3d edges = edgesOf(cell, rest);
         const Vector3d mix = edges.completeOrthogonalDecomposition().solve(m_along);

@@ -1,9 +1,8 @@
 #include "core/solid/crossings.h"
 
 #include "core/geometry/disjoint_sets.h"
+#include "core/geometry/principal_axes.h"
 #include "core/solid/self_intersections.h"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +16,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-Vector3d meanOf(const std::vector<Vector3d>& points) {
-    Vector3d sum = Vector3d::Zero();
-    for (const Vector3d& point : points)
-        sum += point;
-    return sum / static_cast<double>(points.size());
-}
-
 // Folds of segmented organs are threads: long where a sharp rim runs through itself, and thinner than any
 // lattice. So the extent that counts is not the largest one. Along the axes along which points spread most
 // and least the tube lies and is thinnest.
 double tubeWidth(const std::vector<Vector3d>& points) {
     const Vector3d middle = meanOf(points);
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Vector3d& point : points)
-        spread += (point - middle) * (point - middle).transpose();
-    const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
+    const Eigen::Matrix3d axes = principalAxes(points);
     Eigen::AlignedBox3d box;
     for (const Vector3d& point : points)
         box.extend(axes.transpose() * (point - middle));

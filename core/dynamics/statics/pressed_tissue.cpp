@@ -153,18 +153,14 @@ double PressedTissue::imbalance(const Vectors& forces) const {
 
 void PressedTissue::minimise(double tolerance) {
     Vectors forces;
-    for (int step = 0; step < mostDownhillSteps; ++step) {
+    const auto left = [&] {
         if (m_checkpoint) m_checkpoint();
         if (m_pushed) touch();
         m_potential.forces(m_motion.positions, forces);
         m_contacts.addForces(centre(m_depth), m_motion.positions, forces);
-        const double left = imbalance(forces);
-        if (isAtRest(left, tolerance, step)) return;
-        if (go(newtonWay(forces))) continue;
-        if (left <= nearlyBalanced) return;
-        break;
-    }
-    findsNoBalance();
+        return imbalance(forces);
+    };
+    if (!findRest(tolerance, left, [&] { return go(newtonWay(forces)); })) findsNoBalance();
 }
 
 // Pressed springs push their ends aside, so that the potential may bend downwards, where tissue is about to
@@ -181,8 +177,7 @@ std::optional<NewtonWay> PressedTissue::newtonWay(const Vectors& forces, double 
     BlockEntries entries(m_system.fixed);
     m_potential.addStiffness(m_motion.positions, entries);
     m_contacts.addStiffness(centre(m_depth), m_motion.positions, entries);
-    for (std::uint32_t i = 0; i < forces.size(); ++i)
-        entries.add(i, i, tie * Eigen::Matrix3d::Identity());
+    entries.addToDiagonal(tie);
     const std::optional<BlockFactor> factor = m_factoriser.factorise(entries.matrix(), m_rowPlaces);
     if (!factor) return {};
     const PushAlong push = m_contacts.along(m_indenter.inwards, centre(m_depth), m_motion.positions);

@@ -11,8 +11,8 @@ namespace esm {
 
 namespace {
 
-constexpr double leastMove =
-    1e-4; ///< of the tissue's size: what is left over then stretches no spring by a millionth
+/// Of the tissue's size: what is left over then stretches no spring by a millionth.
+constexpr double leastMove = 1e-4;
 
 } // namespace
 
@@ -33,16 +33,13 @@ void StretchedTissue::settle(const Vectors& expected) {
     if (m_potential.value(expected) < m_potential.value(stayed)) stayed = expected;
     m_positions = std::move(stayed);
     Vectors forces;
-    for (int step = 0; step < mostDownhillSteps; ++step) {
+    const auto left = [&] {
         if (m_checkpoint) m_checkpoint();
-        m_potential.forces(m_positions, forces);
-        const double left = imbalance(forces);
-        if (isAtRest(left, balanced, step)) return;
-        if (goDownhill(forces)) continue;
-        if (left <= nearlyBalanced) return;
-        break;
-    }
-    throw InvalidModel("the stretched tissue finds no balance: stretch it less");
+        elasticForces(m_system, m_positions, forces);
+        return imbalance(forces);
+    };
+    if (!findRest(balanced, left, [&] { return goDownhill(forces); }))
+        throw InvalidModel("the stretched tissue finds no balance: stretch it less");
 }
 
 Eigen::Vector3d StretchedTissue::forceOn(const std::vector<std::uint32_t>& nodes) const {
@@ -60,18 +57,18 @@ double StretchedTissue::leastForce() const {
 
 /// What forces leave over, of those on the led nodes, or of what moves a node by next to nothing.
 double StretchedTissue::imbalance(const Vectors& forces) const {
-    Vectors all;
-    elasticForces(m_system, m_positions, all);
     double left = 0, led = 0;
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        left = std::max(left, forces[i].norm());
-        if (m_system.fixed[i]) led = std::max(led, all[i].norm());
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+        double& largest = m_system.fixed[i] ? led : left;
+        largest = std::max(largest, forces[i].norm());
     }
     return left / std::max(led, leastMove * m_size * m_stiffest);
 }
 
 /// As much of a way as lowers the potential; false where none does.
-bool StretchedTissue::goDownhill(const Vectors& forces) {
+bool StretchedTissue::goDownhill(Vectors forces) {
+    for (std::size_t i = 0; i < forces.size(); ++i)
+        if (m_system.fixed[i]) forces[i].setZero(); // led nodes do not give way
     const auto way = m_tie.find(m_stiffest, [&](double tie) { return newtonWay(forces, tie); });
     if (!way) return false;
     Vectors tried(m_positions.size()), there;
@@ -91,8 +88,7 @@ bool StretchedTissue::goDownhill(const Vectors& forces) {
 std::optional<NewtonWay> StretchedTissue::newtonWay(const Vectors& forces, double tie) {
     BlockEntries entries(m_system.fixed);
     m_potential.addStiffness(m_positions, entries);
-    for (std::uint32_t i = 0; i < forces.size(); ++i)
-        entries.add(i, i, tie * Eigen::Matrix3d::Identity());
+    entries.addToDiagonal(tie);
     const std::optional<BlockFactor> factor = m_factoriser.factorise(entries.matrix(), m_rowPlaces);
     if (!factor) return {};
     const PushAlong none{0, 0, Vectors(forces.size(), Eigen::Vector3d::Zero())};

@@ -29,7 +29,7 @@ public:
 
 private:
     double imbalance(const Vectors& forces) const;
-    bool goDownhill(const Vectors& forces);
+    bool goDownhill(Vectors forces);
     std::optional<NewtonWay> newtonWay(const Vectors& forces, double tie);
 
     const SpringSystem& m_system;
