@@ -47,8 +47,8 @@ TriangleBlocks curvatureOfDistance(const std::array<Vector3d, 3>& corners, const
         changes(base, j) = -1;
     }
     // Along a side without length, or two of one direction, no point slides, rather than infinitely far.
-    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2, 2> slides =
-        (sides.transpose() * sides).completeOrthogonalDecomposition().pseudoInverse();
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 2, 2> slides(free, free);
+    if (free > 0) slides = (sides.transpose() * sides).completeOrthogonalDecomposition().pseudoInverse();
     const Vector3d way = distance * outward;
     TriangleBlocks blocks;
     for (int a = 0; a < 3; ++a)
