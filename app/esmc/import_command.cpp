@@ -143,7 +143,8 @@ Report runImport(const ImportOptions& options, Context& context) {
     setBending(project, options.bending);
     Report report = saveAndReport(project, output);
     if (detail.filling && !isWall(*detail.filling))
-        addCrossings(report, narrowCrossings(*project.mesh, *detail.filling));
+        addCrossings(report, narrowCrossings(*project.mesh, *detail.filling,
+                                             progressOf(context, "looking for crossings")));
     return report;
 }
 

@@ -37,8 +37,8 @@ std::size_t whole(double count) {
 }
 
 /// What a filling would come to; nothing is filled.
-Report estimateReport(const Project& project, const LatticeFilling& filling) {
-    const LatticeEstimate estimate = estimateLattice(*project.mesh, filling);
+Report estimateReport(const Project& project, const LatticeFilling& filling, const Progress& progress) {
+    const LatticeEstimate estimate = estimateLattice(*project.mesh, filling, progress);
     Report report;
     addFilling(report.json, filling);
     report.json["nodes"] = std::round(estimate.nodes);
@@ -70,10 +70,12 @@ Report runInside(const InsideOptions& options, Context& context) {
     const Project opened = openedProject(options.project, context);
     const auto filling = chosenFilling(*opened.mesh, options.filling, opened.base.wallThickness);
     if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
-    if (!output) return estimateReport(opened, *filling);
+    if (!output) return estimateReport(opened, *filling, progressOf(context, "looking for crossings"));
     const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : hollowDetail(opened);
     Report report = saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
-    if (filling && !isWall(*filling)) addCrossings(report, narrowCrossings(*opened.mesh, *filling));
+    if (filling && !isWall(*filling))
+        addCrossings(report,
+                     narrowCrossings(*opened.mesh, *filling, progressOf(context, "looking for crossings")));
     return report;
 }
 

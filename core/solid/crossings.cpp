@@ -1,7 +1,9 @@
 #include "core/solid/crossings.h"
 
+#include "core/geometry/cells_at_points.h"
 #include "core/geometry/disjoint_sets.h"
 #include "core/geometry/principal_axes.h"
+#include "core/solid/parallel_nodes.h"
 #include "core/solid/self_intersections.h"
 
 #include <algorithm>
@@ -64,7 +66,8 @@ class CrossingFinder {
 public:
     explicit CrossingFinder(const JoinedSurface& surface)
         : m_mesh(surface.mesh), m_spacings(surface.spacings), m_pairs(meetingTriangles(surface.mesh)),
-          m_sets(m_mesh.vertices.size()), m_isMisplaced(m_mesh.vertices.size(), 0) {
+          m_trianglesAt(m_mesh.triangles, m_mesh.vertices.size()), m_sets(m_mesh.vertices.size()),
+          m_isMisplaced(m_mesh.vertices.size(), 0) {
         for (const MeetingTriangles& pair : m_pairs)
             for (const std::uint32_t triangle : {pair.one, pair.other})
                 join(m_mesh.triangles[triangle], m_mesh.triangles[pair.one][0]);
@@ -90,30 +93,31 @@ public:
     // Where surfaces cross, each goes on beyond the other and comes back across the same curve. What lies
     // beyond hangs together with triangles that meet, and is found from there, ring by ring. Of a wide place
     // it could be half the organ, and would tell nothing new.
-    void findMisplaced() {
+    void findMisplaced(const Progress& progress) {
         std::map<std::uint32_t, bool> isNarrow;
         for (const auto& [vertex, place] : places())
             isNarrow[vertex] = place.crossing().isNarrow();
         std::vector<char> isAsked(m_mesh.vertices.size(), 0);
         std::vector<std::uint32_t> ring;
-        const auto ask = [&](const Triangle& triangle) {
-            for (const std::uint32_t vertex : triangle)
+        const auto ask = [&](std::uint32_t triangle) {
+            for (const std::uint32_t vertex : m_mesh.triangles[triangle])
                 if (!std::exchange(isAsked[vertex], 1)) ring.push_back(vertex);
         };
         for (const MeetingTriangles& pair : m_pairs)
             if (isNarrow[placeOf(pair)])
                 for (const std::uint32_t triangle : {pair.one, pair.other})
-                    ask(m_mesh.triangles[triangle]);
+                    ask(triangle);
+        ProgressParts parts(progress);
         while (!ring.empty()) {
-            std::vector<char> isNew(m_mesh.vertices.size(), 0);
-            for (const std::uint32_t vertex : std::exchange(ring, {}))
-                m_isMisplaced[vertex] = isNew[vertex] = isMisplaced(vertex) ? 1 : 0;
-            for (const Triangle& triangle : m_mesh.triangles)
-                for (const std::uint32_t vertex : triangle)
-                    if (isNew[vertex]) {
-                        join(triangle, vertex);
+            const std::vector<std::uint32_t> asked = std::exchange(ring, {});
+            const auto look = [&](std::size_t i) { m_isMisplaced[asked[i]] = isMisplaced(asked[i]) ? 1 : 0; };
+            forEachNode(asked.size(), parts.nextOfRest(0.7), look, 4);
+            for (const std::uint32_t vertex : asked)
+                if (m_isMisplaced[vertex])
+                    m_trianglesAt.forEachAt(vertex, [&](std::uint32_t triangle) {
+                        join(m_mesh.triangles[triangle], vertex);
                         ask(triangle);
-                    }
+                    });
         }
     }
 
@@ -134,6 +138,7 @@ private:
     const TriangleMesh& m_mesh;
     const std::vector<double>& m_spacings;
     std::vector<MeetingTriangles> m_pairs;
+    CellsAtPoints m_trianglesAt;
     DisjointSets m_sets; ///< of vertices, those of one place in one
     std::vector<char> m_isMisplaced;
 };
@@ -144,11 +149,11 @@ private:
 // The region's border is made of what is misplaced, and ends at the curves where triangles meet, so that it
 // lies within the hull of the curves' corners and of the misplaced vertices. How large that is says how far
 // any point can be taken for inside or outside wrongly.
-std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies,
-                                  const std::vector<double>& spacings) {
+std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings,
+                                  const Progress& progress) {
     const JoinedSurface surface = joined(bodies, spacings);
     CrossingFinder finder(surface);
-    finder.findMisplaced();
+    finder.findMisplaced(progress);
     std::vector<Crossing> crossings;
     for (const auto& [vertex, place] : finder.places())
         crossings.push_back(place.crossing());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/solid/closed_body.h"
+#include "core/support/progress.h"
 
 #include <cstddef>
 #include <vector>
@@ -22,6 +23,8 @@ struct Crossing {
 
 /// In the order of their first triangles. Of one that is known not to be narrow the width is what is known.
 /// @param spacings of each body's lattice, m
-std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings);
+/// @throws Cancelled
+std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings,
+                                  const Progress& progress = {});
 
 } // namespace esm

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/solid/background_lattice.h"
+#include "core/solid/lattice_estimate.h"
 #include "core/solid/rigidity.h"
 
 #include <cstddef>
@@ -17,37 +18,19 @@ struct FilledBody {
     double enclosedVolume = 0;             ///< of the surface, cavities left out, m³
 };
 
-/// Where the surface runs through itself, too narrowly for the lattice to see it.
-struct NarrowCrossings {
-    std::size_t places = 0;
-    double width = 0; ///< of the widest, m
-};
-
-/// What a filling comes to, within a quarter or so.
-struct LatticeEstimate {
-    double nodes, springs, tetrahedra;
-    double bytes;   ///< of memory while the body is filled
-    double spacing; ///< of the largest body, m: what was asked for, or less where that is thin
-    NarrowCrossings crossings = {};
-};
-
-/// More nodes than this are refused.
-inline constexpr double mostLatticeNodes = 1e6;
-
-/// As many show how an organ gives way and still move in real time.
-inline constexpr double usualLatticeNodes = 3000;
-
 /// A lattice of about so many nodes, its spacing to two digits; of a thin body more.
 /// @throws InvalidModel for a surface that is open or encloses nothing
 LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double nodes = usualLatticeNodes);
 
 /// Before anything is filled.
-/// @throws InvalidModel as fillBody() does, except where there would be too many nodes
-LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling);
+/// @throws InvalidModel as fillBody() does, except where there would be too many nodes; Cancelled
+LatticeEstimate estimateLattice(const TriangleMesh& mesh, const LatticeFilling& filling,
+                                const Progress& progress = {});
 
 /// None for prisms, which leave out triangles that meet.
 /// @throws InvalidModel as `fillBody()` does for surface and spacing, except for too many nodes
-NarrowCrossings narrowCrossings(const TriangleMesh& mesh, const LatticeFilling& filling);
+NarrowCrossings narrowCrossings(const TriangleMesh& mesh, const LatticeFilling& filling,
+                                const Progress& progress = {});
 
 /// Fills every body that a closed surface encloses with a lattice of its own. Nodes lie within or on the
 /// surface; no spring leaves the body (`leavesBody()`); all springs are at rest. Where the surface runs

@@ -1,5 +1,6 @@
 #include "core/solid/stuffing.h"
 
+#include "core/geometry/cells_at_points.h"
 #include "core/solid/parallel_nodes.h"
 #include "core/solid/tetrahedron_cut.h"
 
@@ -50,24 +51,6 @@ void placeCut(CutEdge& cut, const std::vector<Vector3d>& points, const BodyQuery
     cut.place = query.placeOf(isInner ? atInner : atOuter);
     cut.part = isInner ? 0 : 1;
 }
-
-/// Which tetrahedra meet at each point, one point's after the other's.
-struct TetrahedraAtPoints {
-    std::vector<std::uint32_t> starts, numbers;
-
-    TetrahedraAtPoints(const std::vector<Tetrahedron>& tetrahedra, std::size_t pointCount)
-        : starts(pointCount + 1, 0), numbers(4 * tetrahedra.size()) {
-        for (const Tetrahedron& corners : tetrahedra)
-            for (const std::uint32_t point : corners)
-                ++starts[point + 1];
-        for (std::size_t i = 0; i < pointCount; ++i)
-            starts[i + 1] += starts[i];
-        std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-        for (std::uint32_t i = 0; i < tetrahedra.size(); ++i)
-            for (const std::uint32_t point : tetrahedra[i])
-                numbers[next[point]++] = i;
-    }
-};
 
 /// Draws points of the background onto the surface along its edges.
 class SurfaceDrawer {
@@ -126,7 +109,7 @@ private:
     static constexpr double leastVolume = 0.15; ///< of what a tetrahedron had
 
     BackgroundLattice& m_background;
-    TetrahedraAtPoints m_at;
+    CellsAtPoints m_at;
     std::vector<Side> m_sides;
 };
 

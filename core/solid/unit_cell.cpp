@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace esm {
 
@@ -107,6 +108,7 @@ CellPlan planOf(LatticeKind kind) {
     case LatticeKind::Cubic:
         return cubicPlan();
     case LatticeKind::BodyCentred:
+    case LatticeKind::Graded:
         return bodyCentredPlan();
     case LatticeKind::Diamond:
         return diamondPlan(true);
@@ -244,10 +246,13 @@ UnitCell cellOf(const CellPlan& plan) {
 } // namespace
 
 const UnitCell& unitCellOf(LatticeKind kind) {
-    static const std::array<UnitCell, 4> cells{
-        cellOf(planOf(LatticeKind::Cubic)), cellOf(planOf(LatticeKind::BodyCentred)),
-        cellOf(planOf(LatticeKind::Diamond)), cellOf(planOf(LatticeKind::BareDiamond))};
-    return cells[static_cast<std::size_t>(kind)];
+    static const std::map<LatticeKind, UnitCell> cells = [] {
+        std::map<LatticeKind, UnitCell> made;
+        for (const auto& [each, word] : wordsOf<LatticeKind>)
+            if (each != LatticeKind::Prisms) made.emplace(each, cellOf(planOf(each)));
+        return made;
+    }();
+    return cells.at(kind);
 }
 
 } // namespace esm

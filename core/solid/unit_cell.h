@@ -54,7 +54,8 @@ struct UnitCell {
 };
 
 /// Made once per kind. Of the cubic lattice it is a cube of 2 × 2 × 2 cubes, as neighbouring cubes are split
-/// into tetrahedra the other way round.
+/// into tetrahedra the other way round; of the graded one it is that at the surface.
+/// Precondition: no prisms.
 const UnitCell& unitCellOf(LatticeKind kind);
 
 } // namespace esm

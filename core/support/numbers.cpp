@@ -22,6 +22,11 @@ std::string roundedText(double value, int digits) {
     return text.str();
 }
 
+std::string millimetresText(double metres, int digits) {
+    const double shown = 1000 * metres;
+    return (shown < 100 ? roundedText(shown, digits) : roundedText(std::round(shown))) + " mm";
+}
+
 std::string percentText(double share) {
     const double percents = 100 * share;
     const bool isWhole = percents >= 10 && percents < 1e6;

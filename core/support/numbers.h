@@ -31,6 +31,9 @@ std::string exactText(double value);
 /// A number for people, with as many significant digits at most.
 std::string roundedText(double value, int digits = 6);
 
+/// A length for people, of so many significant digits at most: "0.35 mm"; from 100 mm on whole ones.
+std::string millimetresText(double metres, int digits);
+
 /// A share in percent, for people: 0.0123 is "1.2 %", 3.345 is "335 %".
 std::string percentText(double share);
 

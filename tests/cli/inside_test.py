@@ -99,6 +99,22 @@ class InsideTest(Case):
         self.assertEqual(self.done("info", package)["detail"], self.done("info", self.project)["detail"])
         subprocess.run([sys.executable, READER, package, "--project", self.project], check=True, stdout=subprocess.DEVNULL)
 
+    def test_a_lattice_may_be_coarser_within(self):
+        self.imported()
+        even = self.filled("--fill", "body-centred", "--spacing", 0.006)
+        told = self.done("inside", self.project, "--fill", "graded", "--spacing", 0.006)
+        graded = self.filled("--fill", "graded", "--spacing", 0.006)
+        self.assertEqual(graded["detail"]["lattice"], "graded")
+        self.assertLess(graded["nodes"], 0.95 * even["nodes"])
+        self.assertAlmostEqual(told["nodes"] / graded["nodes"], 1, delta=0.1)
+        self.assertAlmostEqual(graded["mass"], even["mass"], places=12)
+        package = self.file("organ.glb")
+        self.done("export", self.project, "--to", "glb", "-o", package)
+        for model in (self.project, package):
+            self.assertTrue(self.done("validate", model)["valid"])
+            self.assertEqual(self.done("info", model)["detail"], graded["detail"])
+        subprocess.run([sys.executable, READER, package, "--project", self.project], check=True, stdout=subprocess.DEVNULL)
+
     def test_a_poke_dents_it_and_package_and_project_move_alike(self):
         self.imported("--fill", "body-centred", "--spacing", 0.015)
         package = self.file("organ.glb")

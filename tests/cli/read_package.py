@@ -330,7 +330,7 @@ class Package:
 
     def check_lattice(self):
         group = self.json["lattice"]
-        check(group["kind"] in ("cubic", "body-centred", "diamond", "bare-diamond", "prisms"), "an unknown kind of lattice")
+        check(group["kind"] in ("cubic", "body-centred", "graded", "diamond", "bare-diamond", "prisms"), "an unknown kind of lattice")
         if group["kind"] == "prisms":
             check(group["wallThickness"] > 0 and 1 <= group["layers"] <= 8, "a wall without thickness or layers")
         else:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/solid/graded_lattice.h"
 #include "core/solid/lattice_springs.h"
 
 #include <memory>
@@ -17,7 +18,9 @@ struct CutLattice {
 inline CutLattice cutLattice(const TriangleMesh& mesh, LatticeKind kind, double spacing) {
     CutLattice result{closedBodiesOf(mesh), nullptr, {}, {}};
     result.query = std::make_unique<BodyQuery>(result.bodies[0]);
-    result.background = uniformLattice(kind, spacing, result.bodies[0], *result.query, {});
+    result.background = kind == LatticeKind::Graded
+                            ? gradedLattice(spacing, result.bodies[0], *result.query, {})
+                            : uniformLattice(kind, spacing, result.bodies[0], *result.query, {});
     result.lattice = stuffed(result.background, *result.query, {});
     return result;
 }

@@ -105,11 +105,13 @@ void InsideDialog::showNow(const Detail& now) {
 void InsideDialog::addQuestions(QVBoxLayout* column) {
     m_kind->setObjectName(QStringLiteral("insideKind"));
     m_kind->addItem(tr("hollow"), -1);
-    for (const auto& [kind, name] : {std::pair{LatticeKind::BodyCentred, tr("solid, body-centred lattice")},
-                                     std::pair{LatticeKind::Cubic, tr("solid, cubic lattice")},
-                                     std::pair{LatticeKind::Diamond, tr("solid, diamond lattice")},
-                                     std::pair{LatticeKind::BareDiamond, tr("solid, bare diamond lattice")},
-                                     std::pair{LatticeKind::Prisms, tr("hollow, with a wall of prisms")}})
+    for (const auto& [kind, name] :
+         {std::pair{LatticeKind::BodyCentred, tr("solid, body-centred lattice")},
+          std::pair{LatticeKind::Graded, tr("solid, body-centred, coarser within")},
+          std::pair{LatticeKind::Cubic, tr("solid, cubic lattice")},
+          std::pair{LatticeKind::Diamond, tr("solid, diamond lattice")},
+          std::pair{LatticeKind::BareDiamond, tr("solid, bare diamond lattice")},
+          std::pair{LatticeKind::Prisms, tr("hollow, with a wall of prisms")}})
         m_kind->addItem(name, static_cast<int>(kind));
     m_kind->setToolTip(tr("Whether nodes and springs fill the organ, and how they are laid out"));
     m_spacing->setObjectName(QStringLiteral("insideSpacing"));

@@ -61,6 +61,9 @@ QString aboutInside(const std::optional<LatticeKind>& kind) {
     case LatticeKind::BodyCentred:
         return QObject::tr("Cubes with a node in the middle: as firm in every direction, and the fewest "
                            "springs.");
+    case LatticeKind::Graded:
+        return QObject::tr(
+            "Body-centred, with wider cubes deep within: fewer nodes where an organ is thick.");
     case LatticeKind::Diamond:
         return QObject::tr("As in diamond, with second neighbours: firmer along some directions than "
                            "others, up to twice.");

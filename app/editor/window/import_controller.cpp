@@ -35,12 +35,12 @@ constexpr double mostOfWanted = 5;
 
 /// A wall as it is asked for; of a solid organ a lattice of the usual kind: others are chosen once it stands
 /// in the window.
-Detail detailFor(const TriangleMesh& mesh, Detail detail) {
+Detail detailFor(const TriangleMesh& mesh, Detail detail, const Progress& progress) {
     detail.isEven = true;
     if (detail.kind != Detail::Kind::Filled || detail.filling) return detail;
     const auto wanted = static_cast<double>(std::exchange(detail.nodes, 0));
     detail.filling = fillingOf(mesh, LatticeFilling().kind, wanted);
-    const double nodes = estimateLattice(mesh, *detail.filling).nodes;
+    const double nodes = estimateLattice(mesh, *detail.filling, progress).nodes;
     if (nodes > mostOfWanted * wanted)
         throw InvalidModel(
             "what the surface encloses is thin, as a wall is, and would take about " +
@@ -55,7 +55,7 @@ Project organOf(const PolygonSoup& soup, const std::string& name, const ImportCh
     PolygonSoup metres = soup;
     convertToMetres(metres, choice.unit, choice.up);
     RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
-    const Detail detail = detailFor(mesh.mesh, choice.body.detail);
+    const Detail detail = detailFor(mesh.mesh, choice.body.detail, parts.next(0.1));
     Project project = makeProject(name, std::move(mesh), std::nullopt, detail, parts.rest());
     project.base.resistsBending = choice.body.resistsBending;
     return project;

@@ -38,7 +38,7 @@ Progress toldBy(const InsideFinder::Worker::Task& task, const FoundInside& estim
 
 InsideFinder::Answer insideOf(const TriangleMesh& mesh, const InsideFinder::Worker::Task& task) {
     FoundInside found{withUsual(task.question, mesh), {}, nullptr};
-    found.estimate = estimateLattice(mesh, found.filling);
+    found.estimate = estimateLattice(mesh, found.filling, task.progress());
     task.show(std::make_shared<const FoundInside>(found));
     const double nodes = found.estimate.nodes;
     if (nodes > mostShownNodes && nodes <= mostLatticeNodes)

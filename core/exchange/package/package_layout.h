@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/model/lattice.h"
+
 /// What writing and reading of the model package agree on; described in `docs/model-package.md`.
 namespace esm::package_layout {
 
@@ -15,11 +17,10 @@ constexpr int versionOfWideBindings = 6;
 /// The first version whose triangles may lie stretched in the texture.
 constexpr int versionOfStretchedLayouts = 7;
 
-/// The first version in which a lattice may fill the body.
-constexpr int versionOfLattices = 8;
-
-/// The first version in which what fills the body may be a wall of prisms.
-constexpr int versionOfWalls = 9;
+/// The first version in which the body may be filled so: with an even lattice, a graded one or prisms.
+constexpr int versionOfFilled(LatticeKind kind) {
+    return kind == LatticeKind::Graded || kind == LatticeKind::Prisms ? 9 : 8;
+}
 
 /// The first version whose fuzzy systems may say tissue in clinical units.
 constexpr int versionOfClinicalUnits = 9;

@@ -31,9 +31,8 @@ void checkVersion(const JsonReader& extension, const ModelPackage& package) {
         version = std::max(version, package_layout::versionOfWideBindings);
     if (extension.has("texture") && extension.member("texture").has("layout"))
         version = std::max(version, package_layout::versionOfStretchedLayouts);
-    if (extension.has("lattice")) version = package_layout::versionOfLattices;
-    if (package.tissue.network->lattice && isWall(package.tissue.network->lattice->filling))
-        version = package_layout::versionOfWalls;
+    if (const auto& lattice = package.tissue.network->lattice)
+        version = package_layout::versionOfFilled(lattice->filling.kind);
     if (isClinical) version = package_layout::versionOfClinicalUnits;
     if (extension.has("fillings")) version = package_layout::versionOfFillings;
     if (extension.has("hinges") || resistsBending) version = package_layout::versionOfHinges;

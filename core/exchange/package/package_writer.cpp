@@ -102,9 +102,7 @@ int PackageBuilder::version() const {
     if (needs.clinicalUnits) return package_layout::versionOfClinicalUnits;
     if (needs.bending) return package_layout::versionOfHinges;
     if (m_tissue.hasFillings()) return package_layout::versionOfFillings;
-    if (m_network.lattice)
-        return isWall(m_network.lattice->filling) ? package_layout::versionOfWalls
-                                                  : package_layout::versionOfLattices;
+    if (m_network.lattice) return package_layout::versionOfFilled(m_network.lattice->filling.kind);
     if (m_from.pages.colours && isStretched(m_from.project.atlas->options.layout))
         return package_layout::versionOfStretchedLayouts;
     if (hasOwnValues(m_from.tissue)) return package_layout::versionOfOwnValues;

@@ -45,7 +45,8 @@ VersionNeeds needsOf(const std::vector<Region>& regions, const BaseTissue& base,
 }
 
 int versionOf(const VersionNeeds& needs) {
-    if (needs.sheet || needs.clinicalUnits || needs.bending || needs.fluids || needs.prisms) return 13;
+    if (needs.sheet || needs.clinicalUnits || needs.bending || needs.fluids || needs.prisms || needs.graded)
+        return 13;
     if (needs.lattice) return 12;
     if (needs.finish || needs.retouching || needs.stretchedLayout) return 11;
     if (needs.shapedMasks) return 10;

@@ -29,6 +29,7 @@ struct VersionNeeds {
     bool fluids = false;        ///< parts that fluid fills or presses: version 13
     bool bending = false;       ///< a wall that resists bending: version 13
     bool prisms = false;        ///< a wall of prisms: version 13
+    bool graded = false;        ///< a graded lattice: version 13
     bool retouching = false; ///< adjusted colours, newer blendings, strokes that heal or of a pen: version 11
 };
 

@@ -77,6 +77,7 @@ int projectVersionOf(const Project& project) {
     needs.wideBinding = project.network->binding && needsStarts(*project.network->binding);
     needs.lattice = project.network->lattice.has_value();
     needs.prisms = needs.lattice && isWall(project.network->lattice->filling);
+    needs.graded = needs.lattice && project.network->lattice->filling.kind == LatticeKind::Graded;
     needs.sheet = project.network->sheet.has_value();
     needs.stretchedLayout = needsStretchedLayout(project);
     return versionOf(needs);

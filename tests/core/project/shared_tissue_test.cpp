@@ -41,7 +41,7 @@ double stretchingEnergy(const TissueModel& model, const std::vector<SpringValues
 TEST(SolidTissue, IsAsFirmHoweverFineItsLatticeIs) {
     const double modulus = youngsModulusOfWall(12.5, usualWallThickness);
     EXPECT_NEAR(modulus, 4811, 1);
-    for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred})
+    for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded})
         for (const double spacing : {0.005, 0.004, 0.003}) {
             const TissueModel model = evenTissue({kind, spacing});
             for (const Eigen::Vector3d& direction :

@@ -24,7 +24,8 @@ namespace {
 using Eigen::Vector3d;
 using testing::HasSubstr;
 
-const std::vector<LatticeKind> stiffKinds{LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond};
+const std::vector<LatticeKind> stiffKinds{LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded,
+                                          LatticeKind::Diamond};
 
 /// What every filling promises, whatever the surface.
 void expectSound(const TriangleMesh& mesh, const FilledBody& filled, const LatticeFilling& filling) {
@@ -174,15 +175,16 @@ TEST(FilledBody, LosesLittleOfAThinAndBentOrgan) {
     const TriangleMesh mesh = repair(readMeshFile(file)).mesh;
     for (const auto& [kind, most] : {std::pair{LatticeKind::Cubic, 0.007},
                                      {LatticeKind::BodyCentred, 0.007},
+                                     {LatticeKind::Graded, 0.007},
                                      {LatticeKind::Diamond, 0.01}})
         EXPECT_NEAR(volumeError(fillBody(mesh, fillingOf(mesh, kind, 40000))), 0, most) << wordOf(kind);
 }
 
 TEST(FilledBody, IsTheSameOnAnyNumberOfThreads) {
     const TriangleMesh mesh = lumpySurface(30, 60);
-    const FilledBody many = fillBody(mesh, {LatticeKind::BodyCentred, 0.008});
+    const FilledBody many = fillBody(mesh, {LatticeKind::Graded, 0.008});
     const tbb::global_control alone(tbb::global_control::max_allowed_parallelism, 1);
-    const FilledBody one = fillBody(mesh, {LatticeKind::BodyCentred, 0.008});
+    const FilledBody one = fillBody(mesh, {LatticeKind::Graded, 0.008});
     EXPECT_EQ(many.nodes, one.nodes);
     EXPECT_EQ(many.tetrahedra, one.tetrahedra);
     ASSERT_EQ(many.springs.size(), one.springs.size());

@@ -41,7 +41,8 @@ TEST(LatticeBinding, FollowsARigidMotionAndALinearOneExactly) {
     TriangleMesh parts = test::shell(0.1, 0.06);
     test::append(parts, test::ball(0.02, {0.15, 0, 0}));
     for (const TriangleMesh& mesh : {lumpySurface(30, 60), parts})
-        for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond}) {
+        for (const LatticeKind kind :
+             {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded, LatticeKind::Diamond}) {
             const FilledBody filled = fillBody(mesh, {kind, 0.016});
             EXPECT_LT(farthestOff(
                           mesh, filled,

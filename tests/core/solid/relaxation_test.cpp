@@ -18,7 +18,8 @@ TEST(Relaxation, LeavesALatticeAtRestAsItIs) {
 }
 
 TEST(Relaxation, EvensOutSpringsAndSpoilsNoTetrahedron) {
-    for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond}) {
+    for (const LatticeKind kind :
+         {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded, LatticeKind::Diamond}) {
         const double spacing = 0.01;
         test::CutLattice cut = test::cutLattice(lumpySurface(30, 60), kind, spacing);
         const auto springs = fittedSprings(cut.background, cut.lattice);

@@ -10,7 +10,8 @@
 namespace esm {
 namespace {
 
-const std::vector<LatticeKind> allKinds{LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond};
+const std::vector<LatticeKind> allKinds{LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded,
+                                        LatticeKind::Diamond};
 
 TEST(Stuffing, KeepsNodesInOrOnTheSurface) {
     for (const LatticeKind kind : allKinds) {

@@ -61,7 +61,8 @@ TEST(LeavingTheBody, IsNotAChordOverADent) {
 }
 
 TEST(Trimming, PartsTheWallsOfAGapThatIsNarrowerThanTheSpacing) {
-    for (const LatticeKind kind : {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Diamond}) {
+    for (const LatticeKind kind :
+         {LatticeKind::Cubic, LatticeKind::BodyCentred, LatticeKind::Graded, LatticeKind::Diamond}) {
         test::CutLattice cut = test::cutLattice(slotted(0.05), kind, 0.31);
         trim(cut.lattice, std::vector<char>(cut.lattice.nodes.size(), 1), *cut.query, 0.08, {});
         ASSERT_GT(cut.lattice.tetrahedra.size(), 1000U);
