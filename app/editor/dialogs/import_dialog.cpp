@@ -253,6 +253,12 @@ void ImportDialog::accept() {
     if (takesAllNumbers(*this)) QDialog::accept();
 }
 
+int ImportDialog::exec() {
+    m_isAnswered = false;
+    takeAnswer();
+    return QDialog::exec();
+}
+
 void ImportDialog::done(int result) {
     m_isAnswered = true;
     QDialog::done(result);

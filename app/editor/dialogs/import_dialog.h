@@ -40,7 +40,10 @@ public:
                  std::shared_ptr<const ImportedSurface> found, QWidget* parent = nullptr);
 
     ImportChoice choice() const;
-    /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered.
+    /// Asks again what was answered before, where that could not be done.
+    int exec() override;
+    /// Ends what is still worked out, which may take a moment; on any thread, once the dialog was answered
+    /// for good.
     void stopWork() { m_importer.stop(); }
     /// Not while a number in it is refused.
     void accept() override;

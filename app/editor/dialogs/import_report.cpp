@@ -19,12 +19,21 @@ QString massOfWall(const RepairReport& report) {
                : QObject::tr("The surface has no clear inside: it weighs as a wall %1 thick.").arg(wall);
 }
 
+QString crossingLine(std::size_t pairs) {
+    const QString meeting = pairs == 1 ? QObject::tr("1 pair of triangles meets")
+                                       : QObject::tr("%1 pairs of triangles meet").arg(countText(pairs));
+    return QObject::tr("The surface runs through itself: %1. A hollow organ moves all the same; a solid one "
+                       "is filled where these places are small.")
+        .arg(meeting);
+}
+
 } // namespace
 
 QStringList reportLines(const ImportedSurface& surface) {
     QStringList lines;
     for (const auto& warning : surface.report.warnings)
         lines << QString::fromStdString(warning);
+    if (surface.meetingPairs > 0) lines << crossingLine(surface.meetingPairs);
     const QString wall = massOfWall(surface.report);
     if (!wall.isEmpty()) lines << wall;
     if (lines.isEmpty()) lines << QObject::tr("The surface is sound: nothing had to be repaired.");

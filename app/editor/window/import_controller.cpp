@@ -2,7 +2,6 @@
 
 #include "app/editor/dialogs/ask.h"
 #include "app/editor/dialogs/attempt.h"
-#include "app/editor/dialogs/import_dialog.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/open_dialog.h"
 #include "core/solid/filled_body.h"
@@ -81,15 +80,18 @@ void ImportController::importMesh(const std::filesystem::path& file) {
             &m_window, title, [&](const Progress& progress) { return readSurface(file, progress); },
             Cancelling::Offered);
         ImportDialog dialog(fileName(file), read.soup, read.found, &m_window);
-        const int answer = ask(m_window, [&] { return dialog.exec(); });
+        while (ask(m_window, [&] { return dialog.exec(); }) == QDialog::Accepted && m_mayLeaveProject())
+            if (importAs(dialog.choice(), *read.soup, file)) break;
         runLongWork(&m_window, title, [&](const Progress&) { dialog.stopWork(); });
-        if (answer != QDialog::Accepted || !m_mayLeaveProject()) return;
-        const ImportChoice choice = dialog.choice();
+    });
+}
+
+bool ImportController::importAs(const ImportChoice& choice, const PolygonSoup& soup,
+                                const std::filesystem::path& file) {
+    return attempt(&m_window, tr("The surface cannot be imported so"), [&] {
         Project project = computeLong(
-            &m_window, title,
-            [&](const Progress& progress) {
-                return organOf(*read.soup, file.stem().string(), choice, progress);
-            },
+            &m_window, tr("Importing %1").arg(fileName(file)),
+            [&](const Progress& progress) { return organOf(soup, file.stem().string(), choice, progress); },
             Cancelling::Offered);
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved,
                            {{}, std::filesystem::path(file).replace_extension(".esm")});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/dialogs/import_dialog.h"
 #include "app/editor/document/document.h"
 
 #include <QObject>
@@ -26,6 +27,9 @@ signals:
     void imported(const std::filesystem::path& file);
 
 private:
+    /// False where no such organ can be made, which is said, or the work was cancelled: the question stays.
+    bool importAs(const ImportChoice& choice, const PolygonSoup& soup, const std::filesystem::path& file);
+
     QWidget& m_window;
     Document& m_document;
     std::function<bool()> m_mayLeaveProject;

@@ -1,6 +1,7 @@
 #include "app/editor/workers/imported_surface.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/solid/self_intersections.h"
 #include "core/texture/atlas/own_layout.h"
 
 #include <algorithm>
@@ -34,9 +35,10 @@ ImportedSurface importedSurface(const PolygonSoup& soup, const RepairOptions& op
     RepairedMesh repaired = repair(soup, options, parts.next(0.8));
     auto mesh = std::make_shared<const TriangleMesh>(std::move(repaired.mesh));
     ImportedSurface surface{
-        mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh), {}, {}};
+        mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh), {}, 0, {}};
     reportProgress(parts.next(0.1), 1);
     surface.borders = openBordersOf(*mesh);
+    surface.meetingPairs = selfIntersectionsOf(*mesh).pairs;
     if (!mesh->textureCoordinates.empty()) surface.coordinateProblems = ownLayoutProblems(*mesh);
     reportProgress(progress, 1);
     return surface;

@@ -22,6 +22,7 @@ struct ImportedSurface {
     RepairReport report;
     std::vector<SurfacePart> parts;  ///< the one with the most triangles first
     std::vector<OpenBorder> borders; ///< that are left
+    std::size_t meetingPairs = 0;    ///< of triangles that run through each other
     /// Why its texture coordinates cannot be laid out by; empty where they can, or where it has none.
     std::vector<std::string> coordinateProblems;
 };

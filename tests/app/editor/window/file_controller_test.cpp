@@ -11,7 +11,10 @@
 
 #include <QAbstractButton>
 #include <QDropEvent>
+#include <QLabel>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QRadioButton>
 
 #include <fstream>
 
@@ -270,6 +273,34 @@ TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
     EXPECT_EQ(project().network, network);
     EXPECT_EQ(project().base.mass, 0.5);
     EXPECT_TRUE(window->document().isModified());
+}
+
+TEST_F(FileControllerTest, AnImportThatCannotBeMadeIsAskedAgainWithItsAnswers) {
+    const auto network = project().network;
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) {
+        dialog->findChild<QRadioButton*>("unit1")->click();
+        dialog->findChild<QRadioButton*>("importBody2")->click(); // a wall of prisms
+        dialog->findChild<NumberField*>("importThickness")->setValue(0.9);
+        dialog->accept();
+    });
+    dialogs.expectNamed("problemBox", [&](QDialog* dialog) {
+        EXPECT_TRUE(qobject_cast<QMessageBox*>(dialog)->informativeText().contains("too thick"));
+        EXPECT_EQ(project().network, network);
+        dialog->accept();
+    });
+    dialogs.expectNamed("importDialog", [](QDialog* dialog) {
+        EXPECT_TRUE(dialog->findChild<QRadioButton*>("unit1")->isChecked());
+        EXPECT_TRUE(dialog->findChild<QRadioButton*>("importBody2")->isChecked());
+        EXPECT_EQ(dialog->findChild<NumberField*>("importThickness")->value(), 0.9);
+        dialog->findChild<NumberField*>("importThickness")->setValue(0.01);
+        dialog->findChild<QRadioButton*>("unit2")->click(); // the importer still answers
+        ESM_EVENTUALLY(dialog->findChild<QLabel*>("importSize")->text() == "90.0 × 90.0 × 90.0 m");
+        dialog->accept();
+    });
+    window->openFiles({tetrahedron()});
+    EXPECT_TRUE(dialogs.isDone());
+    ASSERT_TRUE(project().network->lattice);
+    EXPECT_EQ(project().network->lattice->filling.wallThickness, 0.01);
 }
 
 TEST_F(FileControllerTest, StopsReadingAFileOnEscapeAndLeavesEverythingAsItWas) {

@@ -1,5 +1,6 @@
 #include "app/editor/workers/imported_surface.h"
 
+#include "app/editor/dialogs/import_report.h"
 #include "tests/support/steady_progress.h"
 
 using namespace esm;
@@ -37,6 +38,17 @@ TEST(ImportedSurface, KnowsTheOpenBorders) {
     EXPECT_EQ(all.report.boundaryEdges, 3U);
     soup.polygons.erase(soup.polygons.begin());
     EXPECT_TRUE(importedSurface(soup, {}).borders.empty());
+}
+
+TEST(ImportedSurface, KnowsWhereItRunsThroughItself) {
+    EXPECT_EQ(importedSurface(tetrahedronAndTriangle(3), {}).meetingPairs, 0U);
+    PolygonSoup soup = tetrahedronAndTriangle(3);
+    soup.vertices[4] = {0.5, 0.5, -1}; // the triangle now cuts the side between the first, second and third
+    soup.vertices[5] = {0.6, 0.5, -1};
+    soup.vertices[6] = {0.5, 0.6, 0.5};
+    const ImportedSurface crossed = importedSurface(soup, {});
+    EXPECT_EQ(crossed.meetingPairs, 1U);
+    EXPECT_TRUE(reportLines(crossed).join(' ').contains("1 pair of triangles meets"));
 }
 
 TEST(ImportedSurface, TellsHowFarItIs) {
