@@ -7,7 +7,9 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QPushButton>
 #include <QSlider>
+#include <QTabBar>
 #include <QTimer>
 
 namespace esm {
@@ -76,6 +78,30 @@ private:
     QWidget &m_window, &m_home;
 };
 
+/// A button that the mouse pressed is done with, and so is a tab; who goes to them by the keyboard stays.
+class ClickedFilter : public QObject {
+public:
+    ClickedFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window), m_home(home) {
+        QApplication::instance()->installEventFilter(this);
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() != QEvent::MouseButtonRelease || !isDoneByAClick(watched)) return false;
+        if (static_cast<QWidget*>(watched)->window() == &m_window)
+            QTimer::singleShot(0, this, [this] {
+                if (isDoneByAClick(m_window.focusWidget())) m_home.setFocus();
+            });
+        return false;
+    }
+
+private:
+    static bool isDoneByAClick(const QObject* control) {
+        return qobject_cast<const QPushButton*>(control) || qobject_cast<const QTabBar*>(control);
+    }
+
+    QWidget &m_window, &m_home;
+};
+
 class WheelFilter : public QObject {
 public:
     WheelFilter(Turning turning, QObject* parent) : QObject(parent), m_turning(turning) {}
@@ -99,6 +125,7 @@ void keepControlKeys(QWidget& window) {
 
 void giveKeysHome(QWidget& window, QWidget& home) {
     new KeysHomeFilter(window, home);
+    new ClickedFilter(window, home);
 }
 
 bool isRedo(const QKeyEvent& key) {

@@ -10,7 +10,8 @@ namespace esm {
 void keepControlKeys(QWidget& window);
 
 /// Gives the keys to `home` whenever no control of the window needs them: after Enter in a field whose text
-/// was taken, after a choice from a list, and where the window comes to the front with none that has them.
+/// was taken, after a choice from a list or a click on a button or a tab, and where the window comes to the
+/// front with none that has them.
 /// Call it once the window has its controls.
 void giveKeysHome(QWidget& window, QWidget& home);
 

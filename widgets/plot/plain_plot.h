@@ -20,7 +20,7 @@ public:
     void setEmptyText(const QString& text);
 
     QSize sizeHint() const override { return {300, 230}; }
-    QSize minimumSizeHint() const override { return {200, 150}; } ///< whatever its scales say
+    QSize minimumSizeHint() const override { return {200, 110}; } ///< whatever its scales say
 
 protected:
     /// Whether there is nothing to show.

@@ -10,6 +10,19 @@ namespace {
 
 constexpr int lookEvery = 50; // ms; a quick pull is over in a tenth of a second
 
+/// The slider of the region that was added last.
+QString sliderHint(const Project& project) {
+    const QString begin =
+        FirstSteps::tr("Drag the region where you want it; its handles size and turn it. Then say "
+                       "how its tissue is: ");
+    const auto& regions = project.regions;
+    if (regions.empty() || !regions.back().system || regions.back().system->inputs.empty())
+        return begin + FirstSteps::tr("move a slider at the right.");
+    const FuzzyVariable& input = regions.back().system->inputs.front();
+    return begin +
+           FirstSteps::tr("move the slider “%1” at the right.").arg(QString::fromStdString(input.name));
+}
+
 bool haveOtherWords(const Project& before, const Project& now) {
     return std::any_of(now.regions.begin(), now.regions.end(), [&](const Region& region) {
         const Region* former = findPart(before.regions, region.id);
@@ -30,20 +43,20 @@ FirstSteps::FirstSteps(QWidget& view, Document& document, Preview& preview)
 }
 
 std::vector<FirstSteps::Step> FirstSteps::makeSteps() {
-    const auto isPulled = [this] { return m_preview.loads().pull.has_value(); };
+    const auto saying = [](const QString& text) { return [text](const Project&) { return text; }; };
     return {
-        {tr("Pull at the tissue: drag on the organ with the left mouse button. The right button turns the "
-            "view, the wheel comes closer."),
-         isPulled},
-        {tr("Mark a region with tissue of its own: “+ add” at the left lays one on the surface in the middle "
-            "of the view."),
+        {saying(tr(
+             "Pull at the tissue: drag on the organ with the left mouse button. The right button turns the "
+             "view, the wheel comes closer.")),
+         [this] { return m_pulls > 0; }},
+        {saying(tr("Mark a region with tissue of its own: “+ add” at the left lays one on the surface in the "
+                   "middle of the view.")),
          [this] { return m_document.project().regions.size() > m_before->regions.size(); }},
-        {tr("Drag the region where you want it; its handles size and turn it. Then say how its tissue is: "
-            "move the slider “consistency” at the right, from very soft to muscular."),
-         [this] { return haveOtherWords(*m_before, m_document.project()); }},
-        {tr("Feel the difference: take the tool Pull and pull at the region, then beside it."), isPulled},
-        {tr("Hand the organ over: Export writes the model package that simulators load. The menu File "
-            "keeps the project."),
+        {sliderHint, [this] { return haveOtherWords(*m_before, m_document.project()); }},
+        {saying(tr("Feel the difference: take the tool Pull and pull at the region, then beside it.")),
+         [this] { return m_pulls > 1; }},
+        {saying(tr("Hand the organ over: Export writes the model package that simulators load. The menu File "
+                   "keeps the project.")),
          [this] { return m_isHandedOver; }}};
 }
 
@@ -62,12 +75,17 @@ void FirstSteps::show(std::size_t step) {
     if (step >= m_steps.size()) return end();
     m_step = step;
     m_before = std::make_shared<const Project>(m_document.project());
+    m_pulls = 0;
     const bool isLast = step + 1 == m_steps.size();
-    m_notice->say(tr("%1 of %2. %3").arg(step + 1).arg(m_steps.size()).arg(m_steps[step].text),
-                  isLast ? tr("Done") : tr("Next"), tr("Skip this hint"));
+    m_notice->say(
+        tr("%1 of %2. %3").arg(step + 1).arg(m_steps.size()).arg(m_steps[step].textFor(m_document.project())),
+        isLast ? tr("Done") : tr("Next"), tr("Skip this hint"));
 }
 
 void FirstSteps::look() {
+    const bool isPulled = m_preview.loads().pull.has_value();
+    if (isPulled && !m_isPulled) ++m_pulls;
+    m_isPulled = isPulled;
     if (m_steps[m_step].isDone()) show(m_step + 1);
 }
 

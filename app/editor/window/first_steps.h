@@ -26,7 +26,7 @@ public:
 
 private:
     struct Step {
-        QString text;
+        std::function<QString(const Project&)> textFor;
         std::function<bool()> isDone; ///< asked again and again while it is shown
     };
 
@@ -40,6 +40,8 @@ private:
     std::vector<Step> m_steps;
     std::size_t m_step = 0;
     std::shared_ptr<const Project> m_before; ///< when the step was shown first
+    int m_pulls = 0;                         ///< begun while the step is shown
+    bool m_isPulled = false;
     bool m_isHandedOver = false;
     QTimer m_timer;
 };

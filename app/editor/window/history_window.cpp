@@ -13,6 +13,8 @@ HistoryWindow::HistoryWindow(Document& document, QWidget* parent)
     m_list->setObjectName(QStringLiteral("historyList"));
     m_list->setAccessibleName(windowTitle());
     m_list->setToolTip(tr("Choose a step to go back or forward to how the organ was after it"));
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* column = new QVBoxLayout(this);
     column->addWidget(m_list);
     connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {

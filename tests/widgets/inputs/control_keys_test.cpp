@@ -123,6 +123,17 @@ TEST_F(KeysHomeTest, EnterTakesWhatWasTypedAndGivesTheKeysBack) {
     EXPECT_TRUE(plain->hasFocus());
 }
 
+TEST_F(KeysHomeTest, AButtonThatTheMousePressedGivesThemBack) {
+    QSignalSpy clicked(button, &QPushButton::clicked);
+    QTest::mouseClick(button, Qt::LeftButton, {}, {3, 3});
+    EXPECT_EQ(clicked.count(), 1);
+    ESM_EVENTUALLY(plain->hasFocus());
+    press(button, Qt::Key_Space); // by the keyboard it is pressed again and again
+    EXPECT_EQ(clicked.count(), 2);
+    QTest::qWait(50);
+    EXPECT_TRUE(button->hasFocus());
+}
+
 TEST_F(KeysHomeTest, WhatIsRefusedKeepsTheKeysToBeMended) {
     typeAndEnter(number, "11 mm");
     EXPECT_TRUE(number->hasFocus());

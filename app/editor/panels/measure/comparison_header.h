@@ -8,7 +8,7 @@
 namespace esm {
 
 /// Above curves of what was measured last and of what it is compared with: a title, and what can be done with
-/// them. Narrower than title and buttons, these stand below.
+/// them. Where that is too narrow for one row, what saves them stands below.
 class ComparisonHeader : public QWidget {
     Q_OBJECT
 
@@ -31,8 +31,8 @@ public:
 
     void setTitle(const QString& title) { m_title->setText(title); }
     void setState(const State& state, const Texts& texts);
-    /// One more button, at the end.
-    void addButton(QPushButton* button);
+    /// One more button that saves something, at the end.
+    void addButton(QPushButton* button) { add(button, m_saving); }
 
     QSize minimumSizeHint() const override { return {0, QWidget::minimumSizeHint().height()}; }
 
@@ -46,7 +46,9 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QBoxLayout *m_all, *m_controls;
+    void add(QPushButton* button, QBoxLayout* row);
+
+    QBoxLayout *m_all, *m_comparing, *m_saving;
     ElidedLabel* m_title;
     QPushButton *m_keep, *m_clear, *m_table, *m_chart;
 };

@@ -151,7 +151,7 @@ void PokeView::showMoment() {
     m_time->setText(
         canShow ? tr("%1 of %2 s").arg(decimalText(player.time(), 2), decimalText(player.duration(), 2))
                 : QString());
-    m_moment->setSpoken(m_time->text());
+    m_moment->setSpoken(canShow ? m_time->text() : tr("no motion"));
     m_chart->setMoment(player.isShown() ? std::optional(player.time()) : std::nullopt);
 }
 

@@ -173,7 +173,7 @@ void TissuePanel::showUsers() {
     QString text =
         names.size() == 1 ? tr("used by this region alone") : tr("used by %1 regions").arg(names.size());
     if (m_reach.decided() == Reach::EveryRegion) text += tr(" · changes are for all of them");
-    if (m_reach.decided() == Reach::CopyForOne) text += tr(" · the next change makes a copy for this one");
+    if (m_reach.decided() == Reach::CopyForOne) text += tr(" · a change makes a copy");
     m_users->setText(text);
     m_users->setToolTip(tr("Used by %1").arg(names.join(QStringLiteral(", "))));
 }

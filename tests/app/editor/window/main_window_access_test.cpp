@@ -33,8 +33,8 @@ protected:
         window->windowActions().addRegion->trigger();
         ASSERT_FALSE(project().regions.empty());
     }
-    void chooseEveryTab() {
-        auto* tabs = child<QTabBar>("workbenchTabs");
+    void chooseEveryTab(const char* name = "workbenchTabs") {
+        auto* tabs = child<QTabBar>(name);
         for (int tab = 0; tab < tabs->count(); ++tab) {
             tabs->setCurrentIndex(tab);
             expectNone(*tabs->window());
@@ -93,6 +93,7 @@ TEST_F(AccessTest, TheWorkspaceMeasureCanBeHeardAndExplainsItself) {
             measuredAccuracy(measuredOrgan(edited), detailOf(*edited.network), measured));
     });
     expectNone(*window);
+    chooseEveryTab("measurePages");
 }
 
 TEST_F(AccessTest, WithNothingSelectedControlsSayWhyTheyCannotBeUsed) {
@@ -140,5 +141,9 @@ TEST_F(AccessTest, QuestionsCanBeHeard) {
     emit presets->aboutToShow();
     lookAtNextDialog("presetBox");
     presets->findChild<QAction*>("tube")->trigger();
+    EXPECT_TRUE(dialogs.isDone());
+
+    lookAtNextDialog("insideDialog");
+    window->windowActions().chooseInside->trigger();
     EXPECT_TRUE(dialogs.isDone());
 }

@@ -142,6 +142,13 @@ TEST_F(NarrowTest, NoTextIsCutInAnyWorkspace) {
         settle();
         EXPECT_EQ(cutTexts(), QStringList()) << workspace->text().toStdString();
     }
+    auto* pages = child<QTabBar>("measurePages");
+    for (int page = 0; page < pages->count(); ++page) {
+        pages->setCurrentIndex(page);
+        settle();
+        EXPECT_EQ(cutTexts(), QStringList()) << pages->tabText(page).toStdString();
+        EXPECT_EQ(window->size(), smallRoom) << pages->tabText(page).toStdString();
+    }
 }
 
 TEST_F(NarrowTest, ChartAndTableOfMeasurementsTakeTurns) {

@@ -101,15 +101,34 @@ TEST_F(StartTest, FirstStepsGoOnAsTheyAreDone) {
     window->preview().setPull(std::nullopt);
     window->windowActions().addRegion->trigger();
     ESM_EVENTUALLY(notice().startsWith("3 of 5"));
+    const std::string slider = project().regions.back().system->inputs.front().name;
+    EXPECT_TRUE(notice().contains("“" + QString::fromStdString(slider) + "”")) << notice().toStdString();
+    EXPECT_NE(window->findChild<QWidget*>(QString::fromStdString("input-" + slider)), nullptr);
     window->document().edit("inputs", [](Project& p) { p.regions.back().inputs.front().second += 0.5; });
     ESM_EVENTUALLY(notice().startsWith("4 of 5"));
-    for (auto* next : window->view().findChildren<QPushButton*>("viewNoticeHelp"))
-        if (next->isVisible() && next->text() == "Next") next->click();
-    EXPECT_TRUE(notice().startsWith("5 of 5")) << "a hint can be passed over";
+    const auto pull = [&] {
+        window->preview().setPull(Pull{0, project().network->restPositions[0]});
+        QTest::qWait(200);
+        window->preview().setPull(std::nullopt);
+        QTest::qWait(200);
+    };
+    pull();
+    EXPECT_TRUE(notice().startsWith("4 of 5")) << "only the region was pulled at";
+    pull();
+    ESM_EVENTUALLY(notice().startsWith("5 of 5"));
     TemporaryFolder folder;
     window->files().exportTo(folder / "liver.glb");
     ESM_EVENTUALLY(!notice().startsWith("5 of 5"));
     EXPECT_TRUE(notice().startsWith("Exported liver")) << notice().toStdString();
+}
+
+TEST_F(StartTest, AHintCanBePassedOver) {
+    start();
+    entryNamed("First steps")->click();
+    ASSERT_TRUE(notice().startsWith("1 of 5"));
+    for (auto* next : window->view().findChildren<QPushButton*>("viewNoticeHelp"))
+        if (next->isVisible() && next->text() == "Next") next->click();
+    EXPECT_TRUE(notice().startsWith("2 of 5")) << notice().toStdString();
 }
 
 TEST_F(StartTest, AnotherOrganEndsTheFirstSteps) {
