@@ -73,6 +73,8 @@ bool isBesideTooFine(const GradedCells& cells, const Vector3i& first, int doubli
     return isFine;
 }
 
+// Of the cubes around an edge one alone may be finer, and all have to know of the corner in the edge's
+// middle.
 /// Whether some cube at an edge of this middle has a corner there: one that is finer than the edge.
 bool isSplit(const GradedCells& cells, const Vector3i& middle, int doublings) {
     bool isFiner = false;
@@ -178,6 +180,8 @@ GradedCells gradedCells(double edge, const ClosedBody& body, const BodyQuery& qu
     return cells;
 }
 
+// Two neighbours share a face, or one of the four parts of the wider one's. Each face is looked at once: from
+// the lower of two alike, and from the finer of two others.
 std::vector<GradedTetrahedron> tetrahedraAt(const GradedCells& cells, const Vector3i& cell) {
     std::vector<GradedTetrahedron> tetrahedra;
     const Cube cube = cubeAt(cells, cell);

@@ -45,6 +45,8 @@ LatticeEstimator::LatticeEstimator(const std::vector<ClosedBody>& bodies, Lattic
         m_depths.push_back(depthsWithin(body));
 }
 
+// Nodes within go with the volume, those at cuts with the surface; each kind's lattice has so many springs
+// and tetrahedra for a node within. A graded lattice has fewer within, by how deep the body is.
 LatticeEstimate LatticeEstimator::estimateIn(std::size_t body, double spacing) const {
     const UnitCell& cell = unitCellOf(m_kind);
     const double own = spacingWithin(m_bodies[body], spacing);

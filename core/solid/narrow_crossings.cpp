@@ -62,6 +62,8 @@ std::string wideText(const std::vector<Crossing>& crossings, double spacing, dou
 
 } // namespace
 
+// What is looked for first are the places at this spacing; only where one is wide is it asked, spacing by
+// spacing, which would do: most surfaces never come to that.
 NarrowCrossings narrowCrossingsOf(const std::vector<ClosedBody>& bodies, double spacing,
                                   const Progress& progress) {
     ProgressParts parts(progress);
