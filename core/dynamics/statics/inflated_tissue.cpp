@@ -38,7 +38,8 @@ private:
     [[noreturn]] void findsNoBalance() const;
 
     const SpringSystem& m_system;
-    const std::vector<CavityPressure>& m_pressures;
+    const std::vector<CavityPressure>& m_pressures; ///< all of them
+    Loads m_acting;                                 ///< the share that is tried
     const Progress& m_progress;
     RestingPotential m_potential;
     NewtonDescent m_descent;
@@ -70,10 +71,10 @@ void Inflation::fill() {
 
 /// Whether it comes to rest under that share; else it stays where it is.
 bool Inflation::rise(double share) {
-    std::vector<CavityPressure> pressures = m_pressures;
-    for (CavityPressure& pressure : pressures)
+    m_acting.pressures = m_pressures;
+    for (CavityPressure& pressure : m_acting.pressures)
         pressure.before = pressure.after = share * pressure.after;
-    m_potential.setPressures(std::move(pressures));
+    m_potential.setPressures(m_acting.pressures);
     Vectors positions = m_positions, forces;
     m_burst.clear();
     const auto left = [&] {
@@ -94,9 +95,7 @@ bool Inflation::rise(double share) {
 /// What forces leave over, of what the pressures do to a node.
 double Inflation::imbalance(const Vectors& positions, const Vectors& forces) const {
     Vectors pushes(positions.size(), Eigen::Vector3d::Zero());
-    Loads loads;
-    loads.pressures = m_pressures;
-    addPressureOfLoads(m_system, loads, 0, positions, pushes);
+    addPressureOfLoads(m_system, m_acting, 0, positions, pushes);
     double left = 0, pushed = leastSwelling * m_size * m_descent.stiffest();
     for (std::size_t i = 0; i < forces.size(); ++i) {
         left = std::max(left, forces[i].norm());
