@@ -1,5 +1,8 @@
 #include "app/esmc/virtual_tests.h"
 
+#include "app/esmc/volume_report.h"
+#include "core/support/numbers.h"
+
 namespace esm {
 
 namespace {
@@ -30,6 +33,11 @@ Json probeInJson(const ProbeResult& result, double radius) {
     json["curve"] = Json::array();
     for (const auto& [depth, force] : result.curve)
         json["curve"].push_back({{"depth", depth}, {"force", force}});
+    for (const InflatedPart& inflated : result.inflated)
+        json["inflated"].push_back({{"part", inflated.part},
+                                    {"pressure", inflated.pressure},
+                                    {"volume", inflated.volume},
+                                    {"at_rest", inflated.restVolume}});
     if (result.relaxation) json["relaxation"] = timeCurveInJson(*result.relaxation);
     if (result.creep) json["creep"] = timeCurveInJson(*result.creep);
     return json;
@@ -43,6 +51,10 @@ std::string timeConstantInText(const std::string& what, const TimeCurve& curve) 
 std::vector<std::string> probeInText(const ProbeResult& result) {
     const PressPoint& full = result.curve.back();
     std::vector<std::string> text;
+    for (const InflatedPart& inflated : result.inflated)
+        text.push_back("part " + std::to_string(inflated.part) + " under " +
+                       pressureInText(inflated.pressure) + ": " + inText(1e6 * inflated.volume) + " ml, " +
+                       percentText(inflated.volume / inflated.restVolume) + " of its volume at rest");
     text.push_back(inText(full.force) + " N at " + inText(1000 * full.depth) + " mm, pressed at " +
                    inText(result.place) + " m");
     text.push_back("stiffness " + inText(result.stiffnessAtStart / 1000) + " N/mm at the start, " +

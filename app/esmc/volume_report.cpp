@@ -5,14 +5,9 @@
 
 namespace esm {
 
-namespace {
-
-/// How a pressure is told to people who know one unit or the other.
 std::string pressureInText(double pascal) {
     return inText(pascal) + " Pa (" + roundedText(pascal / pascalPerMillimetreOfMercury, 4) + " mmHg)";
 }
-
-} // namespace
 
 void addVolumes(Report& report, const TissueModel& tissue, const std::vector<FluidRow>& rows) {
     if (tissue.cavities.empty()) return;

@@ -5,6 +5,9 @@
 
 namespace esm {
 
+/// How a pressure is told to people who know one unit or the other.
+std::string pressureInText(double pascal);
+
 /// What each filled part enclosed at the record times, and what pressed from within.
 void addVolumes(Report& report, const TissueModel& tissue, const std::vector<FluidRow>& rows);
 

@@ -85,6 +85,10 @@ std::vector<std::string> validate(const Cavity& cavity, const std::vector<Eigen:
     if (!isAmount(cavity.largestPressure))
         problems.push_back("the pressure in " + nameOfPart(cavity.part) + " must be within " +
                            roundedText(largestNumber) + " Pa, got " + roundedText(cavity.largestPressure));
+    else if (!(std::abs(cavity.initialPressure) <= cavity.largestPressure))
+        problems.push_back("the pressure in " + nameOfPart(cavity.part) + " begins with " +
+                           roundedText(cavity.initialPressure) + " Pa, beyond the largest, " +
+                           roundedText(cavity.largestPressure) + " Pa");
     const bool hasMissing = std::any_of(cavity.triangles.begin(), cavity.triangles.end(), [&](const auto& t) {
         return *std::max_element(t.begin(), t.end()) >= restPositions.size();
     });

@@ -17,6 +17,7 @@ struct Cavity {
         0; ///< Pa, that the fluid's pressure falls by per relative growth of its volume; 0: none
     /// Pa, either way, that loads will lay on it at most; steps are chosen for it.
     double largestPressure = 0;
+    double initialPressure = 0; ///< Pa, that they lay on it as the scene begins; no larger either way
 
     bool operator==(const Cavity&) const = default;
 };

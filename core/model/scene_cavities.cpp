@@ -82,6 +82,7 @@ std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,
             scene.fillings[i].stiffness;
     for (std::size_t i = 0; i < scene.pressures.size(); ++i) {
         Cavity& cavity = cavities.named(scene.pressures[i].part, sceneEntry("pressures", i));
+        cavity.initialPressure = pressureAt(scene.pressures[i], 0);
         for (const PressurePoint& point : scene.pressures[i].path)
             cavity.largestPressure = std::max(cavity.largestPressure, std::abs(point.pressure));
     }

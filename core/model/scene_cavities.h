@@ -23,7 +23,8 @@ inline constexpr auto adviceOnRoom =
     "make the organ hollow, of springs in its surface alone, or leave the fluid out";
 
 /// The parts of a simulated surface that a scene fills or presses from within, each once, in the order in
-/// which it names them: with the stiffness of their fluids and the largest pressure that acts on them.
+/// which it names them: with the stiffness of their fluids, the largest pressure that acts on them and that
+/// at time 0.
 /// @throws InvalidModel under the scene's entry, where a part is none that holds a fluid: see cavityOf();
 /// where `whyNoRoom()` says why
 std::vector<Cavity> cavitiesOf(const Scene& scene, const SpringNetwork& network,

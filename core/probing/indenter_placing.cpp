@@ -17,9 +17,9 @@ constexpr int mostSteps = 400, bisections = 40;
 
 // The mean over what the finger will cover, since one triangle says more of the mesh than of the organ. Two
 // meshes of an organ are then pressed in nearly the same direction.
-Vector3d inwardsAt(const ProbedOrgan& organ, const SurfaceSpot& spot, const ProbeSettings& settings) {
+Vector3d inwardsAt(const StandingOrgan& standing, const SurfaceSpot& spot, const ProbeSettings& settings) {
     if (!settings.direction)
-        return -outwardAround({organ.model.network->restPositions, organ.surface.triangles}, spot,
+        return -outwardAround({standing.positions, standing.organ.surface.triangles, {}}, spot,
                               settings.radius);
     if (!settings.direction->allFinite() || settings.direction->norm() == 0)
         throw InvalidModel("the direction to press in must be three finite numbers that are not all 0");
@@ -74,26 +74,26 @@ Vector3d touchingCentre(const SurfaceQuery& query, const Vector3d& place, const 
 }
 
 /// @throws InvalidModel where the tissue that a sphere touches is fixed
-void requireGivingWay(const ProbedOrgan& organ, const SurfaceQuery& query,
-                      const std::vector<char>& isImmovable, const Vector3d& centre) {
-    const Triangle& touched = organ.surface.triangles[query.nearest(centre)->triangle];
-    if (std::all_of(touched.begin(), touched.end(), [&](std::uint32_t node) { return isImmovable[node]; }))
+void requireGivingWay(const StandingOrgan& standing, const SurfaceQuery& query, const Vector3d& centre) {
+    const Triangle& touched = standing.organ.surface.triangles[query.nearest(centre)->triangle];
+    if (std::all_of(touched.begin(), touched.end(),
+                    [&](std::uint32_t node) { return standing.isImmovable[node]; }))
         throw InvalidModel("the tissue at the place to press is fixed or held by nothing, and cannot be "
                            "pressed in: choose another place");
 }
 
 } // namespace
 
-PlacedIndenter placedIndenter(const ProbedOrgan& organ, const std::vector<char>& isImmovable,
+PlacedIndenter placedIndenter(const StandingOrgan& standing, const RayHit& place,
                               const ProbeSettings& settings) {
-    const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
-    const SurfaceQuery query(nodes, organ.surface.triangles);
-    const SurfaceSpot spot = probedSpot(organ, query, settings.place);
-    const Vector3d inwards = inwardsAt(organ, spot, settings);
-    const double thickness = roomAt(organ, query, spot.point, inwards);
+    const std::vector<Triangle>& triangles = standing.organ.surface.triangles;
+    const SurfaceQuery query(standing.positions, triangles);
+    const SurfaceSpot spot = spotAt(place, triangles, standing.positions);
+    const Vector3d inwards = inwardsAt(standing, spot, settings);
+    const double thickness = roomAt(standing.organ, query, spot.point, inwards);
     const Vector3d centre = touchingCentre(query, spot.point, inwards, settings.radius);
-    requireGivingWay(organ, query, isImmovable, centre);
-    return {{settings.radius, centre, inwards}, spot.point, thickness};
+    requireGivingWay(standing, query, centre);
+    return {{settings.radius, centre, inwards}, thickness};
 }
 
 } // namespace esm

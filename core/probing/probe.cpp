@@ -1,5 +1,6 @@
 #include "core/probing/probe.h"
 
+#include "core/dynamics/forces.h"
 #include "core/dynamics/settling.h"
 #include "core/probing/indenter_placing.h"
 #include "core/probing/press_curve.h"
@@ -42,11 +43,6 @@ void requirePressable(const ProbedOrgan& organ) {
         throw InvalidModel("the organ moves as one stiff piece, which no finger can dent: choose a detail "
                            "with nodes or fill it");
     if (organ.surface.empty()) throw InvalidModel("the organ has no surface that a finger could touch");
-    // Under a pressure the organ rests elsewhere than where it is drawn, and the finger would miss it.
-    if (std::any_of(organ.model.cavities.begin(), organ.model.cavities.end(),
-                    [](const Cavity& cavity) { return cavity.largestPressure > 0; }))
-        throw InvalidModel("a pressure acts within the organ, against which no finger can be computed yet: "
-                           "take the pressure out first; a fluid that keeps its volume can stay");
     if (organ.model.fixedNodes.size() >= organ.model.mass.size())
         throw InvalidModel("every node is fixed, so that nothing can be pressed in: fix fewer");
 }
@@ -75,6 +71,26 @@ SpringSystem heldSystem(const TissueModel& model) {
     for (std::size_t i = 0; i < settling.size(); ++i)
         if (isLoose(settling[i])) system.fixed[i] = 1;
     return system;
+}
+
+// A test has no clock of the scene: what rises or falls later has no place in it. An organ that stands under a
+// pressure does so from the beginning on, in the window also while nothing plays.
+std::vector<CavityPressure> initialPressures(const TissueModel& model) {
+    std::vector<CavityPressure> pressures;
+    for (const Cavity& cavity : model.cavities)
+        if (const double pressure = cavity.initialPressure; pressure != 0)
+            pressures.push_back({cavity.part, pressure, pressure});
+    return pressures;
+}
+
+std::vector<InflatedPart> inflatedParts(const SpringSystem& system, const InflatedTissue& rest) {
+    std::vector<InflatedPart> parts;
+    const std::vector<double> volumes = volumesOf(system, rest.positions);
+    for (const CavityPressure& pressure : rest.pressures)
+        for (std::size_t i = 0; i < volumes.size(); ++i)
+            if (const SpringSystem::Filled& cavity = system.cavities[i]; cavity.part == pressure.part)
+                parts.push_back({cavity.part, pressure.after, volumes[i], cavity.restVolume});
+    return parts;
 }
 
 // As deep as the organ, the finger would press one wall through the other, of which neither knows.
@@ -110,32 +126,39 @@ double hertzModulus(const PressPoint& press, double poissonsRatio, double radius
     return press.force / hertzForce(1, poissonsRatio, radius, press.depth);
 }
 
+// The organ first swells to where it rests under its pressures, and the finger is set onto it as it stands
+// there. Set onto the organ as it is drawn it would begin within tissue that has moved on, or before the place
+// that it is to press. Every test begins from that rest anew.
 ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const Progress& progress) {
     requireSensible(settings);
     requirePressable(organ);
     requireFitting(organ, settings);
+    const RayHit place = probedHit(organ, settings.place);
     const SpringSystem system = heldSystem(organ.model);
-    const PlacedIndenter placed = placedIndenter(organ, system.fixed, settings);
-    requireWithin(placed, settings);
-
     double done = 0;
     const Progress watched = [&](double fraction) {
         done = fraction;
         return !progress || progress(fraction);
     };
     ProgressParts parts(watched);
-    const double share = 1.0 / (1 + (settings.relaxation ? 2 : 0) + (settings.creep ? 2 : 0));
-    const Progress pressing = parts.next(share);
+    const std::vector<CavityPressure> pressures = initialPressures(organ.model);
+    const double share =
+        1.0 / (1 + (pressures.empty() ? 0 : 1) + (settings.relaxation ? 2 : 0) + (settings.creep ? 2 : 0));
+    const InflatedTissue rest = inflated(system, pressures, parts.next(pressures.empty() ? 0 : share));
+    const PlacedIndenter placed = placedIndenter({organ, rest.positions, system.fixed}, place, settings);
+    requireWithin(placed, settings);
+
     const std::function<PressedTissue()> fresh = [&] {
-        return PressedTissue(system, organ.surface.triangles, placed.indenter,
+        return PressedTissue(system, rest, organ.surface.triangles, placed.indenter,
                              [&] { reportProgress(progress, done); });
     };
     PressedTissue tissue = fresh();
     ProbeResult result;
-    result.place = placed.place;
+    result.place = spotAt(place, organ.surface.triangles, system.network->restPositions).point;
     result.direction = placed.indenter.inwards;
     result.poissonsRatio = organ.model.network->lattice ? 1.0 / 4 : 1.0 / 3;
-    result.curve = pressCurve(tissue, settings.depth, settings.steps, pressing);
+    result.inflated = inflatedParts(system, rest);
+    result.curve = pressCurve(tissue, settings.depth, settings.steps, parts.next(share));
     result.meetsFixed = tissue.meetsImmovable();
     tellCurve(result, settings.radius);
     const TimedTest timed{fresh, placed.thickness};

@@ -46,7 +46,7 @@ struct CreepTest {
 
 /// A finger, a rigid sphere without friction, that is pressed into an organ along a line.
 struct ProbeSettings {
-    Eigen::Vector3d place; ///< m, on the organ's surface
+    Eigen::Vector3d place; ///< m, on the organ's surface at rest, without a pressure
     /// Into the organ, of any length; without, against the mean direction in which the surface faces within a
     /// radius of the place
     std::optional<Eigen::Vector3d> direction{};
@@ -59,9 +59,16 @@ struct ProbeSettings {
 inline constexpr int mostProbeSteps = 1000;
 inline constexpr double shortestTest = 1e-6, longestTest = 1e6; ///< s, of a test in time
 
+/// A part of the organ as it stands under a pressure, before a finger comes.
+struct InflatedPart {
+    std::uint32_t part;        ///< as of a cavity
+    double pressure;           ///< Pa, that loads lay on it
+    double volume, restVolume; ///< m³
+};
+
 /// What a virtual test tells.
 struct ProbeResult {
-    Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< m, on the surface that is simulated
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();     ///< m, on the surface that is simulated, at rest
     Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< into the organ, of length 1
     std::vector<PressPoint> curve;                       ///< from (0, 0) on, by rising depth
     double stiffnessAtStart = 0;                         ///< N/m, of the first step
@@ -70,7 +77,8 @@ struct ProbeResult {
     /// Pa, of the even solid, wide and deep beside the finger, that resists as much at the full depth
     double youngsModulus = 0;
     std::optional<TimeCurve> relaxation, creep;
-    bool meetsFixed = false; ///< in any of these the finger also lay on fixed nodes
+    std::vector<InflatedPart> inflated{}; ///< all that a pressure acts in
+    bool meetsFixed = false;              ///< in any of these the finger also lay on fixed nodes
 };
 
 /// What is probed: its tissue, and what of it a finger touches.
@@ -79,11 +87,12 @@ struct ProbedOrgan {
     const TouchedSurface& surface;
 };
 
-/// Presses a resting organ without gravity or other loads. Forces are those at rest, to a thousandth or
+/// Presses an organ that rests under the pressures that its scene begins with, without gravity or other
+/// loads. Depths count from where the finger touches it there. Forces are those at rest, to a thousandth or
 /// better; parts that nothing holds stay where they are.
 /// @throws InvalidModel for settings that are no test of this organ (off its surface, deeper than it is, …),
 /// for an organ that cannot be pressed (rigid, all of it fixed, none of it held), and where the tissue finds
-/// no balance
+/// no balance, as where a pressure bursts it
 /// @throws Cancelled
 ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const Progress& progress = {});
 

@@ -18,17 +18,23 @@ std::string spotText(const Vector3d& place) {
 
 } // namespace
 
-SurfaceSpot probedSpot(const ProbedOrgan& organ, const SurfaceQuery& query, const Vector3d& place) {
+RayHit probedHit(const ProbedOrgan& organ, const Vector3d& place) {
     const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
-    const std::optional<RayHit> hit = query.nearest(place);
+    const std::optional<RayHit> hit = SurfaceQuery(nodes, organ.surface.triangles).nearest(place);
     if (!hit) throw InvalidModel("the place must be three finite numbers");
-    const Triangle& triangle = organ.surface.triangles[hit->triangle];
-    SurfaceSpot spot{Vector3d::Zero(), areaNormal(nodes, triangle).normalized()};
-    for (int i = 0; i < 3; ++i)
-        spot.point += hit->barycentric[i] * nodes[triangle[static_cast<std::size_t>(i)]];
     if (hit->distance > nearEnough * boundingBox(nodes).diagonal().norm())
         throw InvalidModel("the place is " + lengthText(hit->distance) +
-                           " off the organ's surface; its nearest point is " + spotText(spot.point) + " m");
+                           " off the organ's surface; its nearest point is " +
+                           spotText(spotAt(*hit, organ.surface.triangles, nodes).point) + " m");
+    return *hit;
+}
+
+SurfaceSpot spotAt(const RayHit& hit, const std::vector<Triangle>& surface,
+                   const std::vector<Vector3d>& positions) {
+    const Triangle& triangle = surface[hit.triangle];
+    SurfaceSpot spot{Vector3d::Zero(), areaNormal(positions, triangle).normalized()};
+    for (int i = 0; i < 3; ++i)
+        spot.point += hit.barycentric[i] * positions[triangle[static_cast<std::size_t>(i)]];
     return spot;
 }
 

@@ -6,9 +6,12 @@
 
 namespace esm {
 
-/// The spot of an organ's simulated surface that is nearest to a place, m.
+/// Where an organ's simulated surface at rest is nearest to a place, m.
 /// @throws InvalidModel where the place is further off than a coarser surface than the drawn one may be
-SurfaceSpot probedSpot(const ProbedOrgan& organ, const SurfaceQuery& query, const Eigen::Vector3d& place);
+RayHit probedHit(const ProbedOrgan& organ, const Eigen::Vector3d& place);
+/// The same as a spot of that surface, whose nodes are at these places, m.
+SurfaceSpot spotAt(const RayHit& hit, const std::vector<Triangle>& surface,
+                   const std::vector<Eigen::Vector3d>& positions);
 
 /// "12.3 mm"
 std::string lengthText(double metres);

@@ -262,8 +262,8 @@ CutStrip cutStrip(const ProbedOrgan& organ, const StripSettings& settings) {
     const std::vector<Vector3d>& nodes = organ.model.network->restPositions;
     CutStrip strip;
     const std::vector<Triangle>& triangles = organ.surface.triangles;
-    const SurfaceSpot spot = probedSpot(organ, SurfaceQuery(nodes, triangles), settings.place);
-    strip.frame = stripFrame({nodes, triangles, {}}, spot, settings);
+    const RayHit hit = probedHit(organ, settings.place);
+    strip.frame = stripFrame({nodes, triangles, {}}, spotAt(hit, triangles, nodes), settings);
     const std::vector<TissueCell> cells = cellsOf(organ);
     std::vector<char> isWithin = cellsWithin(cells, nodes, strip.frame, settings, isDeep(organ));
     keepConnected(isWithin, cells, nodes, strip.frame);

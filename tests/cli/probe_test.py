@@ -64,6 +64,33 @@ class ProbeTest(Case):
         self.assertGreater(filled["youngs_modulus"], 100)
         self.assertGreater(self.done("probe", organ, *options, "--with", solid)["with"]["force"], 0)
 
+    def test_an_organ_under_a_pressure_is_pressed_as_it_stands_under_it(self):
+        organ = self.organ()
+        options = ["--at", self.at(), "--depth", 0.002, "--steps", 2]
+        limp = self.done("probe", organ, *options)
+        self.assertNotIn("inflated", limp)
+        tethers = {"every": 1, "spring_constant": 2, "viscosity": 0.1}
+
+        def under(name, path):
+            scene = {"duration": 1, "tethers": [tethers], "pressures": [{"part": 0, "path": path}]}
+            self.done("scene", organ, "--scene", self.file("scene.json", scene), "-o", self.file(name))
+            return self.file(name)
+
+        tense = under("tense.esm", [[0, 60]])
+        report = self.done("probe", tense, *options, "--creep", 0.05, "--creep-time", 2)
+        part, = report["inflated"]
+        self.assertEqual((part["part"], part["pressure"]), (0, 60))
+        self.assertGreater(part["volume"], 1.02 * part["at_rest"])
+        self.assertGreater(report["force"], limp["force"])
+        self.assertGreater(report["creep"]["end"]["depth"], 0)
+        self.assertIn("of its volume at rest", command("probe", str(tense), *map(str, options)).stdout)
+        # What presses later in the scene takes no part.
+        later = self.done("probe", under("later.esm", [[0, 60], [1, 500]]), *options)
+        self.assertAlmostEqual(later["force"], self.done("probe", tense, *options)["force"], delta=1e-9)
+        self.fails(1, "probe", under("burst.esm", [[0, 1e5]]), *options, naming="bursts the part")
+        strip = ["--at", self.at(), "--strip", "0.04 0.02", "--steps", 2]
+        self.assertEqual(self.done("probe", tense, *strip)["force"], self.done("probe", organ, *strip)["force"])
+
     def test_what_cannot_be_stretched_is_said(self):
         organ = self.organ()
         for options, what in [(["--strip", "3 0.02"], "choose a smaller strip"), (["--strip", "0.04 1e-6"], "nodes lie"),

@@ -27,6 +27,15 @@ inline TissueModel filledBall(int levels, const Parameters& parameters, const Fl
     return filled(sphereMesh(levels, ballRadius), parameters, fluid);
 }
 
+/// Pa, that a ball of an even net bears at most: at twice its width, √3·c·(1 − 1/λ) = p·λ·r/2.
+inline double mostPressure(double springConstant) {
+    return std::sqrt(3.0) * springConstant / (2 * ballRadius);
+}
+/// How wide it becomes, times its width at rest, under a share of that: the lesser root of the same.
+inline double widthUnder(double share) {
+    return 2 / (1 + std::sqrt(1 - share));
+}
+
 /// A load that presses alike on the first part, Pa.
 inline esm::Loads pressing(double pressure) {
     esm::Loads loads;

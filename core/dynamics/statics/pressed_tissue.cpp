@@ -1,5 +1,6 @@
 #include "core/dynamics/statics/pressed_tissue.h"
 
+#include "core/dynamics/bursting.h"
 #include "core/dynamics/statics/balance.h"
 #include "core/dynamics/statics/line_search.h"
 #include "core/support/errors.h"
@@ -26,11 +27,19 @@ constexpr int mostReaches = 12; ///< each twice as far as the one before
 
 PressedTissue::PressedTissue(const SpringSystem& system, std::vector<Triangle> surface,
                              const Indenter& indenter, std::function<void()> checkpoint)
+    : PressedTissue(system, {system.network->restPositions, {}}, std::move(surface), indenter,
+                    std::move(checkpoint)) {}
+
+PressedTissue::PressedTissue(const SpringSystem& system, const InflatedTissue& rest,
+                             std::vector<Triangle> surface, const Indenter& indenter,
+                             std::function<void()> checkpoint)
     : m_system(system), m_indenter(indenter), m_checkpoint(std::move(checkpoint)), m_potential(system),
-      m_contacts(std::move(surface), system.fixed, indenter.radius), m_motion{system.network->restPositions,
+      m_contacts(std::move(surface), system.fixed, indenter.radius), m_motion{rest.positions,
                                                                               Vectors(system.mass.size(),
                                                                                       Vector3d::Zero())},
-      m_perDepth(system.mass.size(), Vector3d::Zero()), m_rowPlaces(restPlacesOfRows(system)) {}
+      m_perDepth(system.mass.size(), Vector3d::Zero()), m_rowPlaces(restPlacesOfRows(system)) {
+    m_potential.setPressures(rest.pressures);
+}
 
 double PressedTissue::force() const {
     return m_contacts.force(centre(m_depth), m_motion.positions).dot(m_indenter.inwards);
@@ -155,6 +164,8 @@ void PressedTissue::minimise(double tolerance) {
     Vectors forces;
     const auto left = [&] {
         if (m_checkpoint) m_checkpoint();
+        if (const std::string burst = burstOf(m_system, m_motion.positions); !burst.empty())
+            throw InvalidModel(burst);
         if (m_pushed) touch();
         m_potential.forces(m_motion.positions, forces);
         m_contacts.addForces(centre(m_depth), m_motion.positions, forces);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/dynamics/statics/inflated_tissue.h"
 #include "core/dynamics/statics/least_tie.h"
 #include "core/dynamics/statics/newton_way.h"
 #include "core/dynamics/statics/resting_potential.h"
@@ -38,6 +39,9 @@ public:
     /// @param checkpoint called now and then within long work; what it throws goes through
     PressedTissue(const SpringSystem& system, std::vector<Triangle> surface, const Indenter& indenter,
                   std::function<void()> checkpoint = {});
+    /// The same at rest under pressures, which stay as they are.
+    PressedTissue(const SpringSystem& system, const InflatedTissue& rest, std::vector<Triangle> surface,
+                  const Indenter& indenter, std::function<void()> checkpoint = {});
 
     /// Where all forces cancel. @throws InvalidModel where no such place is found
     void settle(const Drive& drive);

@@ -32,7 +32,8 @@ Vector3d turned(const SpringSystem::HingeElement& hinge, const Vectors& before, 
 } // namespace
 
 double RestingPotential::value(const Vectors& positions) const {
-    double value = energy(m_system, positions, {}).elastic;
+    double value = energy(m_system, positions, {}).elastic -
+                   workOfPressures(m_system, m_loads, m_system.network->restPositions, positions);
     if (!m_lapse) return value;
     const auto& [duration, before] = *m_lapse;
     for (std::size_t i = 0; i < positions.size(); ++i)
@@ -51,6 +52,7 @@ double RestingPotential::value(const Vectors& positions) const {
 
 void RestingPotential::forces(const Vectors& positions, Vectors& forces) const {
     elasticForces(m_system, positions, forces);
+    addPressureOfLoads(m_system, m_loads, 0, positions, forces);
     if (m_lapse) {
         const auto& [duration, before] = *m_lapse;
         Vectors velocities(positions.size());
@@ -80,7 +82,8 @@ void RestingPotential::addStiffness(const Vectors& positions, BlockEntries& entr
                     (tether.springConstant + rate * tether.viscosity) * Matrix3d::Identity());
     for (const SpringSystem::Filled& cavity : m_system.cavities) {
         const Vectors places = placesOf(*cavity.wall, positions);
-        addTurning(cavity, ownPressure(cavity, volumeOf(*cavity.wall, places).volume), places, entries);
+        const double own = ownPressure(cavity, volumeOf(*cavity.wall, places).volume);
+        addTurning(cavity, own + pressureOfLoads(m_loads, cavity, 0), places, entries);
     }
     if (rate == 0) return;
     for (std::uint32_t i = 0; i < positions.size(); ++i)

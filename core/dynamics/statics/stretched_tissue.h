@@ -1,9 +1,6 @@
 #pragma once
 
-#include "core/dynamics/statics/least_tie.h"
-#include "core/dynamics/statics/newton_way.h"
-#include "core/dynamics/statics/resting_potential.h"
-#include "core/dynamics/step_matrix.h"
+#include "core/dynamics/statics/newton_descent.h"
 
 #include <functional>
 
@@ -29,18 +26,13 @@ public:
 
 private:
     double imbalance(const Vectors& forces) const;
-    bool goDownhill(Vectors forces);
-    std::optional<NewtonWay> newtonWay(const Vectors& forces, double tie);
 
     const SpringSystem& m_system;
     std::function<void()> m_checkpoint;
     RestingPotential m_potential;
+    NewtonDescent m_descent;
     Vectors m_positions;
-    MatrixFactoriser m_factoriser;
-    Vectors m_rowPlaces; ///< m, of the matrix' rows
-    LeastTie m_tie;
-    double m_stiffest; ///< N/m, of all nodes
-    double m_size;     ///< m, of all of it at rest
+    double m_size; ///< m, of all of it at rest
 };
 
 } // namespace esm

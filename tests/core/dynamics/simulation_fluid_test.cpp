@@ -21,8 +21,7 @@ namespace {
 constexpr double radius = tissue::ballRadius;
 constexpr tissue::Parameters wall{30, 0.3, 1e-4};
 
-/// Pa, that a ball of an even net bears at most: at twice its width, √3·c·(1 − 1/λ) = p·λ·r/2.
-const double burstPressure = std::sqrt(3.0) * wall.springConstant / (2 * radius);
+const double burstPressure = tissue::mostPressure(wall.springConstant);
 
 Vector3d middleOf(const Vectors& positions) {
     return std::accumulate(positions.begin(), positions.end(), Vector3d(0, 0, 0)) /
@@ -61,13 +60,6 @@ Vectors settled(const TissueModel& model, const SimulationSettings& settings, co
     return simulation.positions();
 }
 
-/// How wide a ball of an even net becomes, times its width at rest: the lesser root of √3·c·(1 − 1/λ) =
-/// p·λ·r/2.
-double widthUnder(double pressure) {
-    const double share = pressure / burstPressure;
-    return 2 * (1 - std::sqrt(1 - share)) / share;
-}
-
 } // namespace
 
 TEST(PressedBall, HasTheTensionOfLaplacesLaw) {
@@ -80,7 +72,8 @@ TEST(PressedBall, HasTheTensionOfLaplacesLaw) {
         for (const Vector3d& normal :
              {Vector3d(0.36, 0.48, 0.8), Vector3d(0.8, -0.6, 0.01), Vector3d(-0.1, 0.7, 0.7)})
             EXPECT_NEAR(tensionAcross(normal.normalized(), model, ball), expected, 0.01 * expected) << share;
-        EXPECT_NEAR(meanRadius(ball) / radius, widthUnder(pressure), 0.01 * widthUnder(pressure)) << share;
+        const double width = tissue::widthUnder(share);
+        EXPECT_NEAR(meanRadius(ball) / radius, width, 0.01 * width) << share;
     }
 }
 

@@ -87,6 +87,11 @@ TEST(Cavity, IsPartOfATissuesProblems) {
         other.cavities[0].largestPressure = wrong;
         EXPECT_EQ(validate(other).size(), 1U) << wrong;
     }
+    for (const double wrong : {10.5, -11.0, std::nan("")}) {
+        TissueModel other = model;
+        other.cavities[0].initialPressure = wrong;
+        EXPECT_THAT(validate(other), testing::ElementsAre(HasSubstr("beyond the largest, 10 Pa"))) << wrong;
+    }
     TissueModel missing = model;
     missing.cavities[0].triangles[3][1] = 1000;
     EXPECT_THAT(validate(missing), testing::ElementsAre(HasSubstr("nodes that do not exist")));

@@ -38,10 +38,25 @@ TEST(SceneCavities, AreThePartsThatAreFilledOrPressedEachOnce) {
     ASSERT_EQ(cavitiesOf(scene, network, ball.triangles).size(), 1U);
     EXPECT_EQ(cavitiesOf(scene, network, ball.triangles)[0].stiffness, 0);
     EXPECT_EQ(cavitiesOf(scene, network, ball.triangles)[0].largestPressure, 30);
+    EXPECT_EQ(cavitiesOf(scene, network, ball.triangles)[0].initialPressure, 10);
     scene.fillings = {{0, 5000}};
     ASSERT_EQ(cavitiesOf(scene, network, ball.triangles).size(), 1U);
     EXPECT_EQ(cavitiesOf(scene, network, ball.triangles)[0].stiffness, 5000);
     EXPECT_EQ(cavitiesOf(scene, network, ball.triangles)[0].largestPressure, 30);
+}
+
+TEST(SceneCavities, BeginWithThePressureAtTimeZero) {
+    const TriangleMesh ball = tissue::sphereMesh(1, 1);
+    const SpringNetwork network = networkFromMesh(ball);
+    const auto initial = [&](const std::vector<PressurePoint>& path) {
+        Scene scene;
+        scene.pressures = {{0, path}};
+        return cavitiesOf(scene, network, ball.triangles)[0].initialPressure;
+    };
+    EXPECT_EQ(initial({{0, 0}, {1, 2000}}), 0) << "it rises in the scene";
+    EXPECT_EQ(initial({{0, -20}}), -20);
+    EXPECT_EQ(initial({{0.5, 70}, {1, 0}}), 70) << "as before its first row";
+    EXPECT_EQ(initial({{-1, 0}, {1, 100}}), 50);
 }
 
 TEST(SceneCavities, AreRefusedUnderTheEntryThatNamesThem) {

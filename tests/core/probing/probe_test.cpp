@@ -283,21 +283,6 @@ TEST(Probe, TellsOfFixedNodesThatTheFingerMeets) {
     EXPECT_TRUE(probe({block.model, block.surface}, settings).meetsFixed);
 }
 
-TEST(Probe, RefusesAnOrganThatStandsUnderAPressure) {
-    const TriangleMesh ball = tissue::sphereMesh(2, 0.05);
-    const TouchedSurface surface{ball.triangles};
-    TissueModel model = filledBall(ball, 1e4);
-    model.cavities.front().largestPressure = 100;
-    ProbeSettings settings;
-    settings.place = {0, 0, 0.05};
-    try {
-        probe({model, surface}, settings);
-        FAIL();
-    } catch (const InvalidModel& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr("take the pressure out"));
-    }
-}
-
 TEST_F(TriangleProbe, CanBeCancelled) {
     EXPECT_THROW(probe({model, surface}, settings, [](double fraction) { return fraction < 0.3; }),
                  Cancelled);

@@ -14,6 +14,8 @@
 #include <QVariant>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -308,8 +310,9 @@ QString VirtualTestPanel::remark() const {
     if (latest->strip && isMostlySlack(*latest->strip))
         return tr("The strip was slack for most of the way, until it was straight: stretch it by more to "
                   "measure it well.");
-    const QString onTime = remarkOnTime();
-    return onTime.isEmpty() ? remarkOnFormer() : onTime;
+    for (const QString& said : {remarkOnTime(), remarkOnFormer(), remarkOnPressure()})
+        if (!said.isEmpty()) return said;
+    return {};
 }
 
 /// Why there is no time constant; empty where there is one, or none is asked for.
@@ -356,6 +359,19 @@ QString VirtualTestPanel::remarkOnPlace() const {
     return m_test.isSeenFromInside() && m_test.kind() != TestKind::Strip
                ? tr("You see the wall's inside here; the finger presses from outside.")
                : QString();
+}
+
+/// Of the part that it swells the most; files count from 0.
+QString VirtualTestPanel::remarkOnPressure() const {
+    const std::vector<InflatedPart>& parts = m_test.latest()->result.inflated;
+    const auto share = [](const InflatedPart& part) { return part.volume / part.restVolume; };
+    const auto most =
+        std::max_element(parts.begin(), parts.end(),
+                         [&](const InflatedPart& a, const InflatedPart& b) { return share(a) < share(b); });
+    if (most == parts.end()) return {};
+    return tr("Under the pressure within, part %1 has %2 % of its volume at rest; depths count from there.")
+        .arg(most->part + 1)
+        .arg(decimalText(100 * share(*most), 0));
 }
 
 } // namespace esm

@@ -43,6 +43,7 @@ private:
     QString remarkOnFormer() const;
     QString remarkOnFormerStrip() const;
     QString remarkOnPlace() const;
+    QString remarkOnPressure() const;
 
     Document& m_document;
     VirtualTest& m_test;

@@ -84,6 +84,22 @@ TEST_F(VirtualTestTest, AnotherFluidWithinIsAnotherOrgan) {
     ESM_EVENTUALLY(test.isOutdated());
 }
 
+TEST_F(VirtualTestTest, AnotherPressureWithinIsAnotherOrgan) {
+    test.choosePlace(placeIn(5));
+    const auto press = [&](const std::vector<PressurePoint>& path) {
+        document.edit("press", [&](Project& project) { project.scene.pressures = {{0, path}}; });
+    };
+    press({{0, 5}});
+    measure();
+    ASSERT_TRUE(test.latest()) << test.failure();
+    ASSERT_EQ(test.latest()->result.inflated.size(), 1U);
+    EXPECT_GT(test.latest()->result.inflated[0].volume, test.latest()->result.inflated[0].restVolume);
+    press({{0, 10}});
+    ESM_EVENTUALLY(test.isOutdated());
+    press({{0, 5}, {1, 200}});
+    ESM_EVENTUALLY(!test.isOutdated()); // what comes later in the scene takes no part
+}
+
 TEST_F(VirtualTestTest, PullsAStripWhateverHoldsTheOrgan) {
     EXPECT_FALSE(test.stripFrame());
     test.choosePlace(placeIn(5));

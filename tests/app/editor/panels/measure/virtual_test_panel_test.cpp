@@ -126,6 +126,18 @@ TEST_F(VirtualTestPanelTest, ShowsBeforeAndAfterAndSaysWhatIsOld) {
     EXPECT_THAT(said("pressMessage").toStdString(), testing::HasSubstr("another place"));
 }
 
+TEST_F(VirtualTestPanelTest, SaysHowThePressureWithinSwellsTheOrgan) {
+    document.edit("press", [](Project& project) { project.scene.pressures = {{0, {{0, 5}}}}; });
+    test.choosePlace(placeIn(5));
+    measure();
+    EXPECT_THAT(said("pressMessage").toStdString(),
+                testing::ContainsRegex("Under the pressure within, part 1 has 1[0-9][0-9] % of its volume"));
+    document.edit("press", [](Project& project) { project.scene.pressures = {{0, {{0, 1e6}}}}; });
+    ESM_EVENTUALLY(test.isOutdated());
+    measure();
+    EXPECT_THAT(said("pressMessage").toStdString(), testing::HasSubstr("bursts the part"));
+}
+
 TEST_F(VirtualTestPanelTest, SaysThatItPressesFromOutsideWhereTheInsideWasClicked) {
     awaitTissue();
     test.choosePlace(placeIn(5), true);

@@ -1,0 +1,40 @@
+#include "core/dynamics/bursting.h"
+
+#include "core/dynamics/forces.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+/// Beyond it a wall has given way: of a ball of linear springs the tension holds back ever less from eight
+/// times its volume on, where it is twice as wide, and no pressure has a place of rest beyond.
+constexpr double mostGrowth = 10;
+
+/// People count from 1, files from 0: so it is said whose number it is.
+std::string partInFiles(const SpringSystem::Filled& cavity) {
+    return "the part of the surface that files number " + std::to_string(cavity.part);
+}
+
+} // namespace
+
+// Suction that no wall bears draws it in, through itself, and swells it on the other side: its volume counts
+// below zero then, and is a burst's in size.
+std::string burstOf(const SpringSystem& system, const Vectors& positions) {
+    const std::vector<double> volumes = volumesOf(system, positions);
+    for (std::size_t i = 0; i < volumes.size(); ++i) {
+        const SpringSystem::Filled& cavity = system.cavities[i];
+        if (std::abs(volumes[i]) <= mostGrowth * cavity.restVolume) continue;
+        if (volumes[i] < 0)
+            return "suction turned " + partInFiles(cavity) +
+                   " inside out and swelled it beyond ten times its volume at rest; let it suck less, or "
+                   "raise the spring constant";
+        return "the fluid bursts " + partInFiles(cavity) +
+               ": its volume grew beyond ten times that at rest, where the wall holds the pressure no more; "
+               "lower the pressure, or raise the spring constant";
+    }
+    return {};
+}
+
+} // namespace esm
