@@ -73,8 +73,8 @@ SpringSystem heldSystem(const TissueModel& model) {
     return system;
 }
 
-// A test has no clock of the scene: what rises or falls later has no place in it. An organ that stands under a
-// pressure does so from the beginning on, in the window also while nothing plays.
+// A test has no clock of the scene: what rises or falls later has no place in it. An organ that stands under
+// a pressure does so from the beginning on, in the window also while nothing plays.
 std::vector<CavityPressure> initialPressures(const TissueModel& model) {
     std::vector<CavityPressure> pressures;
     for (const Cavity& cavity : model.cavities)
@@ -127,8 +127,8 @@ double hertzModulus(const PressPoint& press, double poissonsRatio, double radius
 }
 
 // The organ first swells to where it rests under its pressures, and the finger is set onto it as it stands
-// there. Set onto the organ as it is drawn it would begin within tissue that has moved on, or before the place
-// that it is to press. Every test begins from that rest anew.
+// there. Set onto the organ as it is drawn it would begin within tissue that has moved on, or before the
+// place that it is to press. Every test begins from that rest anew.
 ProbeResult probe(const ProbedOrgan& organ, const ProbeSettings& settings, const Progress& progress) {
     requireSensible(settings);
     requirePressable(organ);
