@@ -141,10 +141,12 @@ Report runImport(const ImportOptions& options, Context& context) {
     Project project = makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface),
                                   options.mass, detail, progressOf(context, "building"));
     setBending(project, options.bending);
+    const bool isFilled = detail.filling && !isWall(*detail.filling);
+    const NarrowCrossings crossings = isFilled ? narrowCrossings(*project.mesh, *detail.filling,
+                                                                 progressOf(context, "looking for crossings"))
+                                               : NarrowCrossings{};
     Report report = saveAndReport(project, output);
-    if (detail.filling && !isWall(*detail.filling))
-        addCrossings(report, narrowCrossings(*project.mesh, *detail.filling,
-                                             progressOf(context, "looking for crossings")));
+    if (isFilled) addCrossings(report, crossings);
     return report;
 }
 

@@ -72,10 +72,12 @@ Report runInside(const InsideOptions& options, Context& context) {
     if (!output && !filling) throw UsageError("--fill none: say with -o where the hollow organ goes");
     if (!output) return estimateReport(opened, *filling, progressOf(context, "looking for crossings"));
     const Detail detail = filling ? Detail{Detail::Kind::Filled, 0, filling} : hollowDetail(opened);
-    Report report = saveAndReport(withDetail(opened, detail, progressOf(context, "filling")), *output);
-    if (filling && !isWall(*filling))
-        addCrossings(report,
-                     narrowCrossings(*opened.mesh, *filling, progressOf(context, "looking for crossings")));
+    const Project filled = withDetail(opened, detail, progressOf(context, "filling"));
+    const NarrowCrossings crossings =
+        filling ? narrowCrossings(*opened.mesh, *filling, progressOf(context, "looking for crossings"))
+                : NarrowCrossings{};
+    Report report = saveAndReport(filled, *output);
+    if (filling && !isWall(*filling)) addCrossings(report, crossings);
     return report;
 }
 

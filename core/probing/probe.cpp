@@ -52,11 +52,12 @@ void requireFitting(const ProbedOrgan& organ, const ProbeSettings& settings) {
     const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
     const double least = size / 10000, most = 10 * size;
     if (settings.radius < least || settings.radius > most)
-        throw InvalidModel("the finger's radius must be from " + lengthText(least) + " to " +
-                           lengthText(most) + ", as the organ is " + lengthText(size) + " large");
+        throw InvalidModel("the finger's radius must be from " + millimetresText(least, 3) + " to " +
+                           millimetresText(most, 3) + ", as the organ is " + millimetresText(size, 3) +
+                           " large");
     if (settings.depth > size)
-        throw InvalidModel("the organ is " + lengthText(size) + " large: press less deep than " +
-                           lengthText(settings.depth));
+        throw InvalidModel("the organ is " + millimetresText(size, 3) + " large: press less deep than " +
+                           millimetresText(settings.depth, 3));
 }
 
 // What nothing holds would be pushed away as a whole, and has no place of rest. It stays where it is, as if
@@ -96,8 +97,8 @@ std::vector<InflatedPart> inflatedParts(const SpringSystem& system, const Inflat
 // As deep as the organ, the finger would press one wall through the other, of which neither knows.
 void requireWithin(const PlacedIndenter& placed, const ProbeSettings& settings) {
     if (settings.depth >= placed.thickness)
-        throw InvalidModel("the organ is " + lengthText(placed.thickness) + " thick there, so that " +
-                           lengthText(settings.depth) +
+        throw InvalidModel("the organ is " + millimetresText(placed.thickness, 3) + " thick there, so that " +
+                           millimetresText(settings.depth, 3) +
                            " would press one side through the other: press less deep");
 }
 

@@ -23,7 +23,7 @@ RayHit probedHit(const ProbedOrgan& organ, const Vector3d& place) {
     const std::optional<RayHit> hit = SurfaceQuery(nodes, organ.surface.triangles).nearest(place);
     if (!hit) throw InvalidModel("the place must be three finite numbers");
     if (hit->distance > nearEnough * boundingBox(nodes).diagonal().norm())
-        throw InvalidModel("the place is " + lengthText(hit->distance) +
+        throw InvalidModel("the place is " + millimetresText(hit->distance, 3) +
                            " off the organ's surface; its nearest point is " +
                            spotText(spotAt(*hit, organ.surface.triangles, nodes).point) + " m");
     return *hit;
@@ -36,10 +36,6 @@ SurfaceSpot spotAt(const RayHit& hit, const std::vector<Triangle>& surface,
     for (int i = 0; i < 3; ++i)
         spot.point += hit.barycentric[i] * positions[triangle[static_cast<std::size_t>(i)]];
     return spot;
-}
-
-std::string lengthText(double metres) {
-    return roundedText(1000 * metres, 3) + " mm";
 }
 
 } // namespace esm

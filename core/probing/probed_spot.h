@@ -13,7 +13,4 @@ RayHit probedHit(const ProbedOrgan& organ, const Eigen::Vector3d& place);
 SurfaceSpot spotAt(const RayHit& hit, const std::vector<Triangle>& surface,
                    const std::vector<Eigen::Vector3d>& positions);
 
-/// "12.3 mm"
-std::string lengthText(double metres);
-
 } // namespace esm

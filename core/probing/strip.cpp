@@ -39,7 +39,7 @@ void requireStretchable(const ProbedOrgan& organ, const StripSettings& settings)
         throw InvalidModel("the organ has no surface that a strip could be cut out of");
     const double size = boundingBox(organ.model.network->restPositions).diagonal().norm();
     if (settings.length > size || settings.width > size)
-        throw InvalidModel("the organ is " + lengthText(size) + " large: choose a smaller strip");
+        throw InvalidModel("the organ is " + millimetresText(size, 3) + " large: choose a smaller strip");
 }
 
 /// Tissue of no stiffness has no balance to be found, and nothing to be told of.

@@ -3,6 +3,7 @@
 #include "core/geometry/disjoint_sets.h"
 #include "core/probing/probed_spot.h"
 #include "core/support/errors.h"
+#include "core/support/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -217,9 +218,9 @@ private:
 /// A narrower strip would be a row of springs, a shorter one nothing but its clamps.
 void requireFinerNodes(const StripSettings& settings, double spacing) {
     if (settings.width >= leastWidth * spacing && settings.length >= leastLength * spacing) return;
-    throw InvalidModel("nodes lie " + lengthText(spacing) + " apart there: a strip must be at least " +
-                       lengthText(leastWidth * spacing) + " wide and " + lengthText(leastLength * spacing) +
-                       " long");
+    throw InvalidModel("nodes lie " + millimetresText(spacing, 3) +
+                       " apart there: a strip must be at least " + millimetresText(leastWidth * spacing, 3) +
+                       " wide and " + millimetresText(leastLength * spacing, 3) + " long");
 }
 
 // The clamps hold whole nodes, as those of a laboratory do, rather than let the strip become narrower in
@@ -235,7 +236,7 @@ void clampEnds(CutStrip& strip, double length) {
         strip.tissue.fixedNodes.push_back(node);
     }
     if (strip.clamped[0].empty() || strip.clamped[1].empty())
-        throw InvalidModel("the organ ends before a strip of " + lengthText(length) +
+        throw InvalidModel("the organ ends before a strip of " + millimetresText(length, 3) +
                            " does there: choose a shorter one, another place or another direction");
     if (strip.tissue.fixedNodes.size() == nodes.size())
         throw InvalidModel("the strip has no node between its clamps: choose a longer one");

@@ -159,6 +159,19 @@ double windingNumber(const TriangleMesh& surface, const Vector3d& point) {
     return angle / (4 * M_PI);
 }
 
+double thickness(const ClosedBody& body) {
+    return 3 * body.volume / body.area;
+}
+
+double spacingWithin(const ClosedBody& body, double spacing) {
+    return std::min(spacing, thickness(body) / 1.5);
+}
+
+const ClosedBody& largestOf(const std::vector<ClosedBody>& bodies) {
+    return *std::max_element(bodies.begin(), bodies.end(),
+                             [](const auto& one, const auto& other) { return one.volume < other.volume; });
+}
+
 // Who looks at the surface from within sees its back. One ray in a thousand grazes an edge and may be told
 // the wrong side; two rays that lie in no plane of a lattice seldom err both, and where they disagree every
 // triangle is asked. What lies on the surface itself counts as within.

@@ -23,6 +23,15 @@ struct ClosedBody {
 /// @throws InvalidModel where the surface is open, has no inside, or encloses nothing
 std::vector<ClosedBody> closedBodiesOf(const TriangleMesh& mesh);
 
+/// A ball's radius; of other bodies a measure of how thick they are, m: by volume over area, which needs no
+/// directions and tells a plate from a ball of the same width.
+double thickness(const ClosedBody& body);
+
+/// A body that is too small for the spacing still gets some three nodes across.
+double spacingWithin(const ClosedBody& body, double spacing);
+
+const ClosedBody& largestOf(const std::vector<ClosedBody>& bodies);
+
 /// What can be done where triangles meet: the end of a sentence.
 inline constexpr const char* partOrJoinThem =
     "part or join them in a modelling program, or keep the organ hollow, as a wall";

@@ -64,8 +64,9 @@ struct CrossingPlace {
 
 class CrossingFinder {
 public:
-    explicit CrossingFinder(const JoinedSurface& surface)
-        : m_mesh(surface.mesh), m_spacings(surface.spacings), m_pairs(meetingTriangles(surface.mesh)),
+    CrossingFinder(const JoinedSurface& surface, const Progress& progress)
+        : m_mesh(surface.mesh), m_spacings(surface.spacings),
+          m_pairs(meetingTriangles(surface.mesh, progress)),
           m_trianglesAt(m_mesh.triangles, m_mesh.vertices.size()), m_sets(m_mesh.vertices.size()),
           m_isMisplaced(m_mesh.vertices.size(), 0) {
         for (const MeetingTriangles& pair : m_pairs)
@@ -111,7 +112,7 @@ public:
         while (!ring.empty()) {
             const std::vector<std::uint32_t> asked = std::exchange(ring, {});
             const auto look = [&](std::size_t i) { m_isMisplaced[asked[i]] = isMisplaced(asked[i]) ? 1 : 0; };
-            forEachNode(asked.size(), parts.nextOfRest(0.7), look, 4);
+            forEachInBlocks(asked.size(), 4, parts.nextOfRest(0.7), look);
             for (const std::uint32_t vertex : asked)
                 if (m_isMisplaced[vertex])
                     m_trianglesAt.forEachAt(vertex, [&](std::uint32_t triangle) {
@@ -119,6 +120,7 @@ public:
                         ask(triangle);
                     });
         }
+        reportProgress(progress, 1);
     }
 
 private:
@@ -152,8 +154,9 @@ private:
 std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings,
                                   const Progress& progress) {
     const JoinedSurface surface = joined(bodies, spacings);
-    CrossingFinder finder(surface);
-    finder.findMisplaced(progress);
+    ProgressParts parts(progress);
+    CrossingFinder finder(surface, parts.next(0.3));
+    finder.findMisplaced(parts.rest());
     std::vector<Crossing> crossings;
     for (const auto& [vertex, place] : finder.places())
         crossings.push_back(place.crossing());

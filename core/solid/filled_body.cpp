@@ -36,14 +36,30 @@ std::vector<ClosedBody> bodiesToFill(const TriangleMesh& mesh, const LatticeFill
     return bodies;
 }
 
-void refuseTooMany(const LatticeEstimate& estimate, const LatticeFilling& filling) {
-    if (!(estimate.nodes > mostLatticeNodes)) return;
-    const double wider = filling.spacing * std::cbrt(1.1 * estimate.nodes / mostLatticeNodes);
-    throw InvalidModel("a spacing of " + millimetresText(filling.spacing, 3) + " needs about " +
-                       roundedText(estimate.nodes / 1e6, 4) + " million nodes and " +
-                       roundedText(std::ceil(estimate.bytes / 1e9)) + " GB of memory; " +
+using EstimateOf = std::function<LatticeEstimate(double spacing)>;
+
+// Nodes fall with the spacing, by its cube within, or less where cubes are wider there, and by its square at
+// the surface: halving an interval of powers finds it.
+/// The spacing between two, m, with which a lattice has so many nodes.
+double spacingWith(const EstimateOf& estimate, double nodes, double finer, double wider) {
+    for (int halving = 0; halving < 40; ++halving) {
+        const double middle = std::sqrt(finer * wider);
+        (estimate(middle).nodes > nodes ? finer : wider) = middle;
+    }
+    return wider;
+}
+
+void refuseTooMany(const EstimateOf& estimate, double spacing) {
+    const LatticeEstimate now = estimate(spacing);
+    if (!(now.nodes > mostLatticeNodes)) return;
+    const double widest = spacing * std::sqrt(now.nodes / mostLatticeNodes);
+    const double enough =
+        toTwoDigitsUp(spacingWith(estimate, 0.95 * mostLatticeNodes, spacing, 1.1 * widest));
+    throw InvalidModel("a spacing of " + millimetresText(spacing, 3) + " needs about " +
+                       roundedText(now.nodes / 1e6, 4) + " million nodes and " +
+                       roundedText(std::ceil(now.bytes / 1e9)) + " GB of memory; " +
                        roundedText(mostLatticeNodes / 1e6, 2) +
-                       " million nodes are the most, at a spacing of some " + millimetresText(wider, 2));
+                       " million nodes are the most, at a spacing of some " + millimetresText(enough, 2));
 }
 
 /// A lattice in one body.
@@ -102,12 +118,11 @@ Fitted fitted(const ClosedBody& body, LatticeKind kind, double spacing, const Pr
 
 /// Finer until something of the body is filled: a thin one may lie between the nodes of the first try.
 /// @throws InvalidModel where that would need too many nodes
-Fitted fittedFinely(const ClosedBody& body, LatticeKind kind, double& spacing,
-                    const std::function<LatticeEstimate(double spacing)>& estimate,
+Fitted fittedFinely(const ClosedBody& body, LatticeKind kind, double& spacing, const EstimateOf& estimate,
                     const Progress& progress) {
     ProgressParts parts(progress);
     for (int tries = 0; tries < 4; ++tries) {
-        refuseTooMany(estimate(spacing), {kind, spacing});
+        refuseTooMany(estimate, spacing);
         Fitted result = fitted(body, kind, spacing, parts.nextOfRest(0.9));
         if (!result.lattice.tetrahedra.empty()) return result;
         spacing /= 2;
@@ -136,18 +151,12 @@ void append(FilledBody& filled, const Fitted& fitted, double stiffness) {
 
 } // namespace
 
-// Nodes fall with the spacing, by its cube within and by its square at the surface: halving an interval of
-// powers finds it.
 LatticeFilling fillingOf(const TriangleMesh& mesh, LatticeKind kind, double nodes) {
     const std::vector<ClosedBody> bodies = closedBodiesOf(mesh);
     const LatticeEstimator estimator(bodies, kind);
-    double finer = std::log(1e-3 * thickness(largestOf(bodies))),
-           wider = std::log(thickness(largestOf(bodies)) / 1.5);
-    for (int halving = 0; halving < 40; ++halving) {
-        const double middle = (finer + wider) / 2;
-        (estimator.estimate(std::exp(middle)).nodes > nodes ? finer : wider) = middle;
-    }
-    const double spacing = std::exp(wider);
+    const double thick = thickness(largestOf(bodies));
+    const double spacing = spacingWith([&](double tried) { return estimator.estimate(tried); }, nodes,
+                                       1e-3 * thick, thick / 1.5);
     const double digit = std::pow(10, std::floor(std::log10(spacing)) - 1);
     return {kind, digit * std::floor(spacing / digit)};
 }
@@ -173,8 +182,8 @@ FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, con
     reportProgress(progress, 0);
     const std::vector<ClosedBody> bodies = bodiesToFill(mesh, filling);
     const LatticeEstimator estimator(bodies, filling.kind);
-    const LatticeEstimate whole = estimator.estimate(filling.spacing);
-    refuseTooMany(whole, filling);
+    refuseTooMany([&](double spacing) { return estimator.estimate(spacing); }, filling.spacing);
+    const double nodes = estimator.estimate(filling.spacing).nodes;
     ProgressParts parts(progress);
     narrowCrossingsOf(bodies, filling.spacing, parts.next(0.1));
     FilledBody filled;
@@ -182,7 +191,7 @@ FilledBody fillBody(const TriangleMesh& mesh, const LatticeFilling& filling, con
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const auto estimate = [&](double spacing) { return estimator.estimateIn(i, spacing); };
         double spacing = spacingWithin(bodies[i], filling.spacing);
-        const double share = estimate(spacing).nodes / whole.nodes;
+        const double share = estimate(spacing).nodes / nodes;
         const Fitted lattice =
             fittedFinely(bodies[i], filling.kind, spacing, estimate, parts.next(0.85 * share));
         append(filled, lattice, spacing / filling.spacing);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace esm {
 
@@ -15,7 +14,6 @@ using Eigen::Vector3d;
 using Eigen::Vector3i;
 
 constexpr int widest = 1 << mostDoublings;
-constexpr double leastDepth = 0.65; ///< of a cube that is doubled, in its widths
 
 /// Calls `visit` with each of the finest cubes in a box of them.
 template<typename Visit> void forEachIn(const Vector3i& first, const Vector3i& end, const Visit& visit) {
@@ -37,31 +35,30 @@ void setDoublings(GradedCells& cells, const Vector3i& first, int width, int doub
     });
 }
 
-/// How deep each corner of the cubes of twice the finest width lies in a body, m; below 0 outside.
-class CornerDepths {
-public:
-    CornerDepths(const GradedCells& cells, const BodyQuery& query, const Progress& progress)
-        : m_grid{cells.grid.counts / 2 + Vector3i::Ones()}, m_depths(m_grid.size()) {
-        forEachNode(m_depths.size(), progress, [&](std::size_t i) {
-            const Vector3d place = cells.placeOf(4 * m_grid.placeAt(i));
-            m_depths[i] = (query.contains(place) ? 1 : -1) * query.nearest(place).distance;
-        });
-    }
-
-    /// The least of the corners of a cube of finest ones, m.
-    double leastOf(const Vector3i& first, int width) const {
-        double least = std::numeric_limits<double>::infinity();
+/// Whether each cube of a width lies deep enough to be as wide, in the order of `BoxGrid`.
+std::vector<char> areDeep(const GradedCells& cells, int width, const BodyQuery& query,
+                          const Progress& progress) {
+    const BoxGrid cubes{cells.grid.counts / width}, corners{cubes.counts + Vector3i::Ones()};
+    const double enough = leastDepth * width * cells.edge;
+    const auto isDeep = [&](const Vector3i& halfEdges) {
+        const Vector3d place = cells.placeOf(halfEdges);
+        return query.contains(place) && query.nearest(place).distance >= enough;
+    };
+    ProgressParts parts(progress);
+    std::vector<char> isDeepCorner(corners.size()), areDeep(cubes.size());
+    forEachNode(corners.size(), parts.next(0.6),
+                [&](std::size_t i) { isDeepCorner[i] = isDeep(2 * width * corners.placeAt(i)) ? 1 : 0; });
+    forEachNode(cubes.size(), parts.rest(), [&](std::size_t i) {
+        const Vector3i cube = cubes.placeAt(i);
+        bool isCubeDeep = true;
         for (int corner = 0; corner < 8; ++corner) {
-            const Vector3i place = (first + width * Vector3i(corner & 1, corner >> 1 & 1, corner >> 2)) / 2;
-            least = std::min(least, m_depths[m_grid.numberOf(place)]);
+            const Vector3i at = cube + Vector3i(corner & 1, corner >> 1 & 1, corner >> 2);
+            isCubeDeep = isCubeDeep && isDeepCorner[corners.numberOf(at)] != 0;
         }
-        return least;
-    }
-
-private:
-    BoxGrid m_grid;
-    std::vector<double> m_depths;
-};
+        areDeep[i] = isCubeDeep && isDeep(width * (2 * cube + Vector3i::Ones())) ? 1 : 0;
+    });
+    return areDeep;
+}
 
 /// Whether a cube, or one at a face, an edge or a corner of it, is of less than half its width.
 bool isBesideTooFine(const GradedCells& cells, const Vector3i& first, int doublings) {
@@ -163,15 +160,13 @@ GradedCells gradedCells(double edge, const ClosedBody& body, const BodyQuery& qu
     // From a corner of the box, so that a block of whole cells is filled as it is.
     GradedCells cells{box.min() - Vector3d::Constant(widest * edge), edge, {wanted.cast<int>().matrix()}, {}};
     cells.doublings.assign(cells.grid.size(), 0);
-    const CornerDepths depths(cells, query, progress);
+    ProgressParts parts(progress);
     for (int doublings = 1; doublings <= mostDoublings; ++doublings) {
         const int width = 1 << doublings;
-        forEachCube(cells, width, [&](const Vector3i& first) {
-            const Vector3d middle = cells.placeOf(2 * first + Vector3i::Constant(width));
-            const double enough = leastDepth * width * edge;
-            if (depths.leastOf(first, width) >= enough && query.nearest(middle).distance >= enough)
-                setDoublings(cells, first, width, doublings);
-        });
+        const std::vector<char> deep = areDeep(cells, width, query, parts.nextOfRest(0.8));
+        const BoxGrid cubes{cells.grid.counts / width};
+        for (std::size_t i = 0; i < deep.size(); ++i)
+            if (deep[i]) setDoublings(cells, width * cubes.placeAt(i), width, doublings);
     }
     forEachCube(cells, widest, [&](const Vector3i& first) {
         if (cells.doublingsAt(first) == mostDoublings && isBesideTooFine(cells, first, mostDoublings))

@@ -15,6 +15,9 @@ namespace esm {
 /// How often a cube may double in width.
 inline constexpr int mostDoublings = 2;
 
+/// How deep corners and middle of a cube lie that is doubled, in its own widths.
+inline constexpr double leastDepth = 0.65;
+
 /// Cubes over a box around a body, wider deep within it, where neighbours are alike or of twice the width.
 /// Places are counted in half edges of the finest cubes, from the box's corner: corners of cubes are even in
 /// x, y and z, the middles of the finest ones odd, and no two of all these coincide.
@@ -46,7 +49,8 @@ GradedCells gradedCells(double edge, const ClosedBody& body, const BodyQuery& qu
                         const Progress& progress);
 
 /// Those that the cube with this finest one at its first corner shares with its neighbours, each once; none
-/// for finest cubes elsewhere in theirs. All together they fill the cubes but for half of the outermost ones.
+/// for finest cubes elsewhere in theirs. All together they fill the cubes but for the pyramid, a sixth of a
+/// cube, over each face at the grid's hull.
 std::vector<GradedTetrahedron> tetrahedraAt(const GradedCells& cells, const Eigen::Vector3i& cell);
 
 } // namespace esm

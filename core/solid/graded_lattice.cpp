@@ -106,12 +106,11 @@ BackgroundLattice gradedLattice(double spacing, const ClosedBody& body, const Bo
     return lattice;
 }
 
-std::vector<double> depthsWithin(const ClosedBody& body) {
-    constexpr std::size_t tries = 4096;
+std::vector<double> depthsWithin(const ClosedBody& body, std::size_t places) {
     const BodyQuery query(body);
     const Eigen::AlignedBox3d box = boundingBox(body.surface.vertices);
-    std::vector<double> depths(tries, -1);
-    forEachNode(tries, {}, [&](std::size_t i) {
+    std::vector<double> depths(places, -1);
+    forEachNode(places, {}, [&](std::size_t i) {
         const auto number = static_cast<std::uint32_t>(i + 1);
         const Vector3d part(spread(number, 2), spread(number, 3), spread(number, 5));
         const Vector3d place = box.min() + part.cwiseProduct(box.sizes());
@@ -122,9 +121,9 @@ std::vector<double> depthsWithin(const ClosedBody& body) {
     return depths;
 }
 
-// A place lies in a cube of twice or four times the finest width where all of that lies at 0.65 of its width:
-// from half a width beyond that on above a wall along the cubes, from 0.87 above one across them. 1.5 widths
-// came nearest to what seven organs have.
+// A cube is doubled where all of it lies `leastDepth` of its width deep. Its middle then lies half a width
+// deeper, or 0.87 where the wall stands across its diagonal. With one and a half widths for all, nodes of
+// seven organs were told within 4 %.
 double gradedShare(const std::vector<double>& depths, double spacing) {
     double share = 1;
     const double edge = 2 / std::sqrt(3.0) * spacing;

@@ -11,7 +11,8 @@ BackgroundLattice gradedLattice(double spacing, const ClosedBody& body, const Bo
                                 const Progress& progress);
 
 /// How deep places lie that are spread evenly over a body, m, the least first; of a very thin one none.
-std::vector<double> depthsWithin(const ClosedBody& body);
+/// @param places of the box around it
+std::vector<double> depthsWithin(const ClosedBody& body, std::size_t places);
 
 /// Nodes of a graded lattice over those of an even one, less what the surface adds to both.
 /// @param depths `depthsWithin()` the body

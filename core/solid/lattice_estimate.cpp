@@ -25,24 +25,14 @@ double surfaceNodesPerArea(LatticeKind kind) {
 
 } // namespace
 
-double thickness(const ClosedBody& body) {
-    return 3 * body.volume / body.area;
-}
-
-double spacingWithin(const ClosedBody& body, double spacing) {
-    return std::min(spacing, thickness(body) / 1.5);
-}
-
-const ClosedBody& largestOf(const std::vector<ClosedBody>& bodies) {
-    return *std::max_element(bodies.begin(), bodies.end(),
-                             [](const auto& one, const auto& other) { return one.volume < other.volume; });
-}
-
 LatticeEstimator::LatticeEstimator(const std::vector<ClosedBody>& bodies, LatticeKind kind)
     : m_bodies(bodies), m_kind(kind) {
     if (kind != LatticeKind::Graded) return;
-    for (const ClosedBody& body : bodies)
-        m_depths.push_back(depthsWithin(body));
+    constexpr double mostPlaces = 4096, fewestPlaces = 64; // crumbs hardly count
+    for (const ClosedBody& body : bodies) {
+        const double places = mostPlaces * body.volume / largestOf(bodies).volume;
+        m_depths.push_back(depthsWithin(body, static_cast<std::size_t>(std::max(places, fewestPlaces))));
+    }
 }
 
 // Nodes within go with the volume, those at cuts with the surface; each kind's lattice has so many springs

@@ -22,15 +22,6 @@ inline constexpr double mostLatticeNodes = 1e6;
 /// As many show how an organ gives way and still move in real time.
 inline constexpr double usualLatticeNodes = 3000;
 
-/// A ball's radius; of other bodies a measure of how thick they are, m: by volume over area, which needs no
-/// directions and tells a plate from a ball of the same width.
-double thickness(const ClosedBody& body);
-
-/// A body that is too small for the spacing still gets some three nodes across.
-double spacingWithin(const ClosedBody& body, double spacing);
-
-const ClosedBody& largestOf(const std::vector<ClosedBody>& bodies);
-
 /// Tells for any spacing what a kind of lattice comes to in some bodies.
 class LatticeEstimator {
 public:

@@ -29,8 +29,7 @@ bool SitesOfBody::holds(const Eigen::Vector3d& place) const {
 void checkSiteCount(double sites, double spacing) {
     if (sites > mostSites)
         throw InvalidModel("a part of the surface is too long for how thin it is: around it a spacing of " +
-                           roundedText(1000 * spacing, 2) +
-                           " mm makes too many nodes; leave it out at import");
+                           millimetresText(spacing, 2) + " makes too many nodes; leave it out at import");
 }
 
 bool SiteTaker::take(const Tetrahedron& sites, double volume) {

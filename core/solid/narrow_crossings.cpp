@@ -1,12 +1,10 @@
 #include "core/solid/narrow_crossings.h"
 
 #include "core/solid/crossings.h"
-#include "core/solid/lattice_estimate.h"
 #include "core/support/errors.h"
 #include "core/support/numbers.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace esm {
 
@@ -37,8 +35,7 @@ double narrowingSpacing(const std::vector<ClosedBody>& bodies, double spacing, c
                         ProgressParts parts) {
     double least = 2 * widest.width;
     while (least > spacing && least <= 2 * thickness(largestOf(bodies))) {
-        const double digit = std::pow(10, std::floor(std::log10(least)) - 1);
-        spacing = digit * std::ceil(least / digit);
+        spacing = toTwoDigitsUp(least);
         const std::vector<Crossing> crossings = crossingsAt(bodies, spacing, parts.nextOfRest(0.5));
         const Crossing& left = widestOf(crossings);
         if (left.isNarrow()) return spacing;
@@ -68,10 +65,12 @@ NarrowCrossings narrowCrossingsOf(const std::vector<ClosedBody>& bodies, double 
                                   const Progress& progress) {
     ProgressParts parts(progress);
     const std::vector<Crossing> crossings = crossingsAt(bodies, spacing, parts.next(0.5));
+    if (!crossings.empty() && !widestOf(crossings).isNarrow()) {
+        const double enough = narrowingSpacing(bodies, spacing, widestOf(crossings), std::move(parts));
+        throw InvalidModel(wideText(crossings, spacing, enough));
+    }
+    reportProgress(progress, 1);
     if (crossings.empty()) return {};
-    if (const Crossing& widest = widestOf(crossings); !widest.isNarrow())
-        throw InvalidModel(
-            wideText(crossings, spacing, narrowingSpacing(bodies, spacing, widest, std::move(parts))));
     const auto widest =
         std::max_element(crossings.begin(), crossings.end(),
                          [](const auto& one, const auto& other) { return one.width < other.width; });

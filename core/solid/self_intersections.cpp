@@ -1,81 +1,41 @@
 #include "core/solid/self_intersections.h"
 
+#include "core/support/parallel_steps.h"
+
 #include <algorithm>
 #include <cmath>
-#include <mutex>
+#include <numeric>
 #include <optional>
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include <unsupported/Eigen/BVH>
 
 namespace esm {
 
 namespace {
 
 using Eigen::Vector3d;
-using Eigen::Vector3i;
 
-/// Cubes in space, as wide as triangles are, and which triangles' boxes each meets.
-class TriangleGrid {
-public:
-    explicit TriangleGrid(const TriangleMesh& mesh) : m_mesh(mesh) {
-        const Eigen::AlignedBox3d box = boundingBox(mesh.vertices);
-        m_origin = box.min();
-        double reach = 0;
-        for (const Triangle& triangle : mesh.triangles)
-            reach += boxOf(triangle).sizes().maxCoeff();
-        const auto count = static_cast<double>(std::max<std::size_t>(mesh.triangles.size(), 1));
-        // No more than 2²⁰ cubes a side, so that a cube's number fits.
-        m_width = std::max(2 * reach / count, box.sizes().maxCoeff() / 1e6);
-        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-            forEachCell(boxOf(mesh.triangles[i]),
-                        [&](const Vector3i& cell) { m_entries.emplace_back(numberOf(cell), i); });
-        std::sort(m_entries.begin(), m_entries.end());
-        for (std::size_t i = 0; i < m_entries.size(); ++i)
-            if (i == 0 || m_entries[i].first != m_entries[i - 1].first) m_starts.push_back(i);
-        m_starts.push_back(m_entries.size());
-    }
+using Box = Eigen::AlignedBox3d;
+using BoxTree = Eigen::KdBVH<double, 3, std::uint32_t>;
 
-    std::size_t cellCount() const { return m_starts.size() - 1; }
+std::vector<Box> boxesOf(const TriangleMesh& mesh) {
+    std::vector<Box> boxes(mesh.triangles.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+        for (const std::uint32_t vertex : mesh.triangles[i])
+            boxes[i].extend(mesh.vertices[vertex]);
+    return boxes;
+}
 
-    /// Visits every pair of triangles whose boxes meet, once over all cells.
-    template<typename Visit> void forEachPair(std::size_t cell, const Visit& visit) const {
-        for (std::size_t i = m_starts[cell]; i < m_starts[cell + 1]; ++i)
-            for (std::size_t j = i + 1; j < m_starts[cell + 1]; ++j) {
-                const std::uint32_t one = m_entries[i].second, other = m_entries[j].second;
-                const Eigen::AlignedBox3d both =
-                    boxOf(m_mesh.triangles[one]).intersection(boxOf(m_mesh.triangles[other]));
-                // A pair that meets in several cells belongs to that of the first corner of its common box.
-                if (!both.isEmpty() && numberOf(cellOf(both.min())) == m_entries[i].first) visit(one, other);
-            }
-    }
+/// Visits the triangles after one of them whose boxes meet its own, as the tree asks.
+template<typename Visit> struct BoxMeetings {
+    const std::vector<Box>& boxes;
+    std::uint32_t one;
+    const Visit& visit;
 
-private:
-    Eigen::AlignedBox3d boxOf(const Triangle& triangle) const {
-        Eigen::AlignedBox3d box;
-        for (const std::uint32_t vertex : triangle)
-            box.extend(m_mesh.vertices[vertex]);
-        return box;
+    bool intersectVolume(const Box& box) const { return box.intersects(boxes[one]); }
+    bool intersectObject(std::uint32_t other) const {
+        if (other > one && boxes[other].intersects(boxes[one])) visit(other);
+        return false; // goes on
     }
-    Vector3i cellOf(const Vector3d& point) const {
-        return ((point - m_origin) / m_width).array().floor().cast<int>();
-    }
-    static std::uint64_t numberOf(const Vector3i& cell) {
-        const auto part = [](int value) { return static_cast<std::uint64_t>(value); };
-        return part(cell.x()) << 42 | part(cell.y()) << 21 | part(cell.z());
-    }
-    template<typename Visit> void forEachCell(const Eigen::AlignedBox3d& box, const Visit& visit) const {
-        const Vector3i first = cellOf(box.min()), last = cellOf(box.max());
-        for (int x = first.x(); x <= last.x(); ++x)
-            for (int y = first.y(); y <= last.y(); ++y)
-                for (int z = first.z(); z <= last.z(); ++z)
-                    visit(Vector3i(x, y, z));
-    }
-
-    const TriangleMesh& m_mesh;
-    Vector3d m_origin;
-    double m_width = 1;
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> m_entries; ///< cube and triangle, sorted
-    std::vector<std::size_t> m_starts;
 };
 
 /// Six times the volume of the tetrahedron over a triangle.
@@ -128,33 +88,32 @@ std::optional<Vector3d> meeting(const TriangleMesh& mesh, std::uint32_t one, std
     return first;
 }
 
-/// Those of one stretch of cells, then those of the next.
-std::vector<MeetingTriangles> both(std::vector<MeetingTriangles> one,
-                                   const std::vector<MeetingTriangles>& other) {
-    one.insert(one.end(), other.begin(), other.end());
-    return one;
-}
-
 } // namespace
 
 // Two triangles that intersect beyond touching have an edge of one through the inside of the other. Only
-// those whose boxes meet are tried; a grid of cubes as wide as two triangles finds them in time linear in the
-// surface.
-std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh) {
-    if (mesh.triangles.empty()) return {};
-    const TriangleGrid grid(mesh);
-    return tbb::parallel_deterministic_reduce(
-        tbb::blocked_range<std::size_t>(0, grid.cellCount(), 256), std::vector<MeetingTriangles>{},
-        [&](const tbb::blocked_range<std::size_t>& cells, std::vector<MeetingTriangles> found) {
-            for (std::size_t cell = cells.begin(); cell < cells.end(); ++cell)
-                grid.forEachPair(cell, [&](std::uint32_t one, std::uint32_t other) {
-                    auto place = meeting(mesh, one, other);
-                    if (!place) place = meeting(mesh, other, one);
-                    if (place) found.push_back({one, other, *place});
-                });
-            return found;
-        },
-        both);
+// those whose boxes meet are tried. A tree of boxes finds them, and not a grid: one triangle that is as long
+// as all others are small would lie in all of a grid's cells.
+std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh, const Progress& progress) {
+    const std::vector<Box> boxes = boxesOf(mesh);
+    std::vector<std::uint32_t> numbers(boxes.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    const BoxTree tree(numbers.begin(), numbers.end(), boxes.begin(), boxes.end());
+    std::vector<std::vector<MeetingTriangles>> met(boxes.size());
+    forEachInBlocks(boxes.size(), 512, progress, [&](std::size_t i) {
+        const auto one = static_cast<std::uint32_t>(i);
+        const auto meet = [&](std::uint32_t other) {
+            auto place = meeting(mesh, one, other);
+            if (!place) place = meeting(mesh, other, one);
+            if (place) met[i].push_back({one, other, *place});
+        };
+        BoxMeetings<decltype(meet)> meetings{boxes, one, meet};
+        Eigen::BVIntersect(tree, meetings);
+    });
+    reportProgress(progress, 1);
+    std::vector<MeetingTriangles> all;
+    for (const std::vector<MeetingTriangles>& some : met)
+        all.insert(all.end(), some.begin(), some.end());
+    return all;
 }
 
 std::vector<Vector3d> piercings(const TriangleMesh& mesh, std::uint32_t one, std::uint32_t other) {
@@ -168,8 +127,8 @@ std::vector<Vector3d> piercings(const TriangleMesh& mesh, std::uint32_t one, std
     return places;
 }
 
-SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh) {
-    const std::vector<MeetingTriangles> found = meetingTriangles(mesh);
+SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh, const Progress& progress) {
+    const std::vector<MeetingTriangles> found = meetingTriangles(mesh, progress);
     if (found.empty()) return {};
     return {found.size(), found.front().place};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/triangle_mesh.h"
+#include "core/support/progress.h"
 
 #include <cstddef>
 
@@ -12,7 +13,8 @@ struct MeetingTriangles {
     std::uint32_t one, other;
     Eigen::Vector3d place; ///< m
 };
-std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh);
+/// @throws Cancelled
+std::vector<MeetingTriangles> meetingTriangles(const TriangleMesh& mesh, const Progress& progress = {});
 
 /// All places where an edge of one of two such triangles pierces the other: the ends of what both have in
 /// common.
@@ -23,6 +25,7 @@ struct SelfIntersections {
     std::size_t pairs = 0;
     Eigen::Vector3d first = Eigen::Vector3d::Zero(); ///< where the first of them meet
 };
-SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh);
+/// @throws Cancelled
+SelfIntersections selfIntersectionsOf(const TriangleMesh& mesh, const Progress& progress = {});
 
 } // namespace esm

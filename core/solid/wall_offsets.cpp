@@ -1,6 +1,7 @@
 #include "core/solid/wall_offsets.h"
 
 #include "core/geometry/adjacency.h"
+#include "core/geometry/cells_at_points.h"
 #include "core/solid/closed_body.h"
 #include "core/solid/parallel_nodes.h"
 #include "core/solid/self_intersections.h"
@@ -18,36 +19,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Triangles at each vertex, one vertex after the other.
-struct VertexFans {
-    std::vector<std::size_t> starts;
-    std::vector<std::uint32_t> triangles;
-
-    explicit VertexFans(const TriangleMesh& mesh) : starts(mesh.vertices.size() + 1, 0) {
-        for (const Triangle& triangle : mesh.triangles)
-            for (const std::uint32_t vertex : triangle)
-                ++starts[vertex + 1];
-        std::partial_sum(starts.begin(), starts.end(), starts.begin());
-        triangles.resize(starts.back());
-        std::vector<std::size_t> next(starts.begin(), starts.end() - 1);
-        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i)
-            for (const std::uint32_t vertex : mesh.triangles[i])
-                triangles[next[vertex]++] = i;
-    }
-};
-
 // Greedy, so that neighbours differ. The vertices of the first colour only have diagonals that lead inwards
 // from them, those of the last only ones that lead to the node beneath them. Both have them to all sides,
 // and so most of a wall is stretched without that its inner side slides against the outer one. Of an order by
 // numbers alone all diagonals of a regular mesh would lean the same way.
-std::vector<std::uint32_t> diagonalOrder(const TriangleMesh& mesh, const VertexFans& fans) {
+std::vector<std::uint32_t> diagonalOrder(const TriangleMesh& mesh, const CellsAtPoints& trianglesAt) {
     const std::size_t count = mesh.vertices.size();
     std::vector<std::uint32_t> colours(count, noIndex), sizes;
     for (std::uint32_t vertex = 0; vertex < count; ++vertex) {
         std::vector<char> isTaken(sizes.size() + 1, 0);
-        for (std::size_t i = fans.starts[vertex]; i < fans.starts[vertex + 1]; ++i)
-            for (const std::uint32_t other : mesh.triangles[fans.triangles[i]])
+        trianglesAt.forEachAt(vertex, [&](std::uint32_t triangle) {
+            for (const std::uint32_t other : mesh.triangles[triangle])
                 if (colours[other] != noIndex) isTaken[colours[other]] = 1;
+        });
         const auto free = std::find(isTaken.begin(), isTaken.end(), 0) - isTaken.begin();
         colours[vertex] = static_cast<std::uint32_t>(free);
         if (colours[vertex] == sizes.size()) sizes.push_back(0);
@@ -94,9 +78,9 @@ void refuseBranching(const TriangleMesh& mesh) {
 class WallFitter {
 public:
     WallFitter(const TriangleMesh& mesh, const LatticeFilling& filling)
-        : m_mesh(mesh), m_filling(filling), m_fans(mesh), m_edges(uniqueEdges(mesh.triangles)),
-          m_lengths(mesh.vertices.size(), filling.wallThickness) {
-        m_offsets.order = diagonalOrder(mesh, m_fans);
+        : m_mesh(mesh), m_filling(filling), m_trianglesAt(mesh.triangles, mesh.vertices.size()),
+          m_edges(uniqueEdges(mesh.triangles)), m_lengths(mesh.vertices.size(), filling.wallThickness) {
+        m_offsets.order = diagonalOrder(mesh, m_trianglesAt);
         m_offsets.isLeftOut.assign(mesh.triangles.size(), 0);
         for (const Triangle& triangle : mesh.triangles)
             m_normals.push_back(areaNormal(mesh.vertices, triangle).normalized());
@@ -130,8 +114,9 @@ private:
             for (int turn = 0; turn < 30 && least <= 0.3; ++turn) {
                 least = 1;
                 Vector3d worst = m_directions[vertex];
-                for (std::size_t i = m_fans.starts[vertex]; i < m_fans.starts[vertex + 1]; ++i) {
-                    const Vector3d& normal = m_normals[m_fans.triangles[i]];
+                for (std::size_t i = m_trianglesAt.starts[vertex]; i < m_trianglesAt.starts[vertex + 1];
+                     ++i) {
+                    const Vector3d& normal = m_normals[m_trianglesAt.numbers[i]];
                     const double seen = normal.dot(m_directions[vertex]);
                     if (seen < least) {
                         least = seen;
@@ -173,10 +158,10 @@ private:
     void restoreAtBareVertices() {
         std::vector<char> hasPrism = verticesWithPrism();
         for (std::uint32_t vertex = 0; vertex < hasPrism.size(); ++vertex)
-            for (std::size_t i = m_fans.starts[vertex];
-                 hasPrism[vertex] == 0 && i < m_fans.starts[vertex + 1]; ++i)
-                if (restore(m_fans.triangles[i], vertex))
-                    for (const std::uint32_t corner : m_mesh.triangles[m_fans.triangles[i]])
+            for (std::size_t i = m_trianglesAt.starts[vertex];
+                 hasPrism[vertex] == 0 && i < m_trianglesAt.starts[vertex + 1]; ++i)
+                if (restore(m_trianglesAt.numbers[i], vertex))
+                    for (const std::uint32_t corner : m_mesh.triangles[m_trianglesAt.numbers[i]])
                         hasPrism[corner] = 1;
     }
 
@@ -230,9 +215,9 @@ private:
         const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
         std::nth_element(lengths.begin(), middle, lengths.end());
         if (*middle < 0.5 * m_filling.wallThickness)
-            throw InvalidModel("a wall of " + roundedText(1000 * m_filling.wallThickness, 4) +
-                               " mm is too thick: half of the organ has room for " +
-                               roundedText(1000 * *middle, 2) + " mm or less; choose a thinner wall");
+            throw InvalidModel("a wall of " + millimetresText(m_filling.wallThickness, 4) +
+                               " is too thick: half of the organ has room for " +
+                               millimetresText(*middle, 2) + " or less; choose a thinner wall");
         even();
     }
 
@@ -351,7 +336,7 @@ private:
 
     const TriangleMesh& m_mesh;
     const LatticeFilling& m_filling;
-    VertexFans m_fans;
+    CellsAtPoints m_trianglesAt;
     std::vector<Edge> m_edges;
     std::vector<Vector3d> m_normals;    ///< per triangle, of unit length
     std::vector<Vector3d> m_directions; ///< per vertex, outwards, of unit length

@@ -27,6 +27,11 @@ std::string millimetresText(double metres, int digits) {
     return (shown < 100 ? roundedText(shown, digits) : roundedText(std::round(shown))) + " mm";
 }
 
+double toTwoDigitsUp(double value) {
+    const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return digit * std::ceil(value / digit);
+}
+
 std::string percentText(double share) {
     const double percents = 100 * share;
     const bool isWhole = percents >= 10 && percents < 1e6;

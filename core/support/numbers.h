@@ -34,6 +34,9 @@ std::string roundedText(double value, int digits = 6);
 /// A length for people, of so many significant digits at most: "0.35 mm"; from 100 mm on whole ones.
 std::string millimetresText(double metres, int digits);
 
+/// The next number up of two digits. Precondition: above 0.
+double toTwoDigitsUp(double value);
+
 /// A share in percent, for people: 0.0123 is "1.2 %", 3.345 is "335 %".
 std::string percentText(double share);
 

@@ -268,8 +268,8 @@ class Package:
         if "starts" in self.json.get("binding", {}):
             needed = 6
         self.is_stretched = "layout" in self.json.get("texture", {})
-        is_walled = self.json.get("lattice", {}).get("kind") == "prisms"
-        known = (9,) if "fillings" in self.json or is_walled else (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
+        is_of_later_kind = self.json.get("lattice", {}).get("kind") in ("prisms", "graded")
+        known = (9,) if "fillings" in self.json or is_of_later_kind else (8,) if "lattice" in self.json else (7,) if self.is_stretched else (needed, 6)  # 6: springs of their own
         check(self.json["version"] in known, "another version of the extension")
         check(not self.is_stretched or self.json["texture"]["layout"] in ("charts", "own"), "an unknown layout")
         check(self.json["damping"] == "isotropic", "another damping")

@@ -8,7 +8,7 @@ namespace esm {
 
 namespace {
 
-constexpr int lookEvery = 50; // ms; a quick pull is over in a tenth of a second
+constexpr int lookEvery = 100; // ms
 
 /// The slider of the region that was added last.
 QString sliderHint(const Project& project) {
@@ -38,6 +38,10 @@ FirstSteps::FirstSteps(QWidget& view, Document& document, Preview& preview)
     m_notice->setProperty("hint", true);
     m_timer.setInterval(lookEvery);
     connect(&m_timer, &QTimer::timeout, this, &FirstSteps::look);
+    connect(&preview, &Preview::pullBegan, this, [this] {
+        ++m_pulls;
+        if (m_timer.isActive()) look();
+    });
     connect(m_notice, &ViewNotice::dismissed, this, &FirstSteps::end);
     connect(m_notice, &ViewNotice::helpAsked, this, [this] { show(m_step + 1); });
 }
@@ -83,9 +87,6 @@ void FirstSteps::show(std::size_t step) {
 }
 
 void FirstSteps::look() {
-    const bool isPulled = m_preview.loads().pull.has_value();
-    if (isPulled && !m_isPulled) ++m_pulls;
-    m_isPulled = isPulled;
     if (m_steps[m_step].isDone()) show(m_step + 1);
 }
 

@@ -41,7 +41,6 @@ private:
     std::size_t m_step = 0;
     std::shared_ptr<const Project> m_before; ///< when the step was shown first
     int m_pulls = 0;                         ///< begun while the step is shown
-    bool m_isPulled = false;
     bool m_isHandedOver = false;
     QTimer m_timer;
 };

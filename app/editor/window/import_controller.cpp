@@ -80,9 +80,12 @@ void ImportController::importMesh(const std::filesystem::path& file) {
             &m_window, title, [&](const Progress& progress) { return readSurface(file, progress); },
             Cancelling::Offered);
         ImportDialog dialog(fileName(file), read.soup, read.found, &m_window);
-        while (ask(m_window, [&] { return dialog.exec(); }) == QDialog::Accepted && m_mayLeaveProject())
-            if (importAs(dialog.choice(), *read.soup, file)) break;
-        runLongWork(&m_window, title, [&](const Progress&) { dialog.stopWork(); });
+        bool mayLeave = false;
+        while (ask(m_window, [&] { return dialog.exec(); }) == QDialog::Accepted) {
+            mayLeave = mayLeave || m_mayLeaveProject();
+            if (!mayLeave || importAs(dialog.choice(), *read.soup, file)) break;
+        }
+        runLongWork(&m_window, tr("Closing the import"), [&](const Progress&) { dialog.stopWork(); });
     });
 }
 

@@ -32,13 +32,13 @@ std::vector<SurfacePart> partsOf(const TriangleMesh& mesh) {
 ImportedSurface importedSurface(const PolygonSoup& soup, const RepairOptions& options,
                                 const Progress& progress) {
     ProgressParts parts(progress);
-    RepairedMesh repaired = repair(soup, options, parts.next(0.8));
+    RepairedMesh repaired = repair(soup, options, parts.next(0.75));
     auto mesh = std::make_shared<const TriangleMesh>(std::move(repaired.mesh));
     ImportedSurface surface{
         mesh, boundingBox(mesh->vertices).sizes(), std::move(repaired.report), partsOf(*mesh), {}, 0, {}};
     reportProgress(parts.next(0.1), 1);
     surface.borders = openBordersOf(*mesh);
-    surface.meetingPairs = selfIntersectionsOf(*mesh).pairs;
+    surface.meetingPairs = selfIntersectionsOf(*mesh, parts.next(0.08)).pairs;
     if (!mesh->textureCoordinates.empty()) surface.coordinateProblems = ownLayoutProblems(*mesh);
     reportProgress(progress, 1);
     return surface;

@@ -154,6 +154,7 @@ void Preview::playScene() {
 }
 
 void Preview::setPull(const std::optional<Pull>& pull) {
+    if (pull && !loads().pull) emit pullBegan();
     send([&](Inbox& inbox) { inbox.loads.pull = pull; });
 }
 

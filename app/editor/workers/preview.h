@@ -78,6 +78,8 @@ signals:
     void frameReady();
     void tissueReady();
     void statusChanged();
+    /// Somebody takes hold of the tissue.
+    void pullBegan();
 
 private:
     using Preparer = LatestWorker<Project, std::shared_ptr<PreparedProject>>;

@@ -105,16 +105,16 @@ double Inflation::imbalance(const Vectors& positions, const Vectors& forces) con
 }
 
 void Inflation::findsNoBalance() const {
-    if (!m_burst.empty())
-        throw InvalidModel(
-            m_burst +
-            (m_share > 0 ? "; at least " + percentText(m_share) + " of this pressure it bears" : ""));
+    const std::string borne =
+        m_share > 0 ? "; it bears at least " + percentText(m_share) + " of this pressure" : std::string();
+    if (!m_burst.empty()) throw InvalidModel(m_burst + borne);
     const bool bendsFreely = m_system.hinges.empty();
     throw InvalidModel(std::string("the organ finds no balance under the pressure within it: choose one "
                                    "nearer to 0") +
                        (bendsFreely ? ", or let the surface resist bending, without which it folds in many "
                                       "ways of nearly the same energy"
-                                    : ""));
+                                    : "") +
+                       borne);
 }
 
 } // namespace

@@ -1,8 +1,8 @@
 #include "core/texture/atlas/group_layout.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/atlas/planar_hull.h"
 #include "core/texture/atlas/waiting_patches.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

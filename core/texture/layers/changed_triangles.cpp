@@ -1,6 +1,6 @@
 #include "core/texture/layers/changed_triangles.h"
 
-#include "core/texture/parallel_steps.h"
+#include "core/support/parallel_steps.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "core/texture/layers/lit_triangles.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/support/smooth_step.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "core/texture/layers/mask_feather.h"
 
-#include "core/texture/parallel_steps.h"
+#include "core/support/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "core/texture/layers/multi_band.h"
 
-#include "core/texture/parallel_steps.h"
+#include "core/support/parallel_steps.h"
 #include "core/texture/photo/bilinear.h"
 
 #include <algorithm>

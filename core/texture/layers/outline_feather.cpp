@@ -1,9 +1,9 @@
 #include "core/texture/layers/outline_feather.h"
 
 #include "core/geometry/segment_distance.h"
+#include "core/support/parallel_steps.h"
 #include "core/support/smooth_step.h"
 #include "core/texture/layers/photo_ray.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "core/texture/layers/page_levels.h"
 
 #include "core/support/errors.h"
+#include "core/support/parallel_steps.h"
 #include "core/texture/layers/patch_scan.h"
-#include "core/texture/parallel_steps.h"
 #include "core/texture/texture_limits.h"
 
 #include <algorithm>

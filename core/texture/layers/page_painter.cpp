@@ -1,7 +1,7 @@
 #include "core/texture/layers/page_painter.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/layers/patch_scan.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,10 +1,10 @@
 #include "core/texture/layers/photo_in_motion.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/layers/layer_stack.h"
 #include "core/texture/layers/multi_band.h"
 #include "core/texture/layers/page_painter.h"
 #include "core/texture/layers/plane_rays.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
+#include "core/support/parallel_steps.h"
 #include "core/texture/layers/layer_stack.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

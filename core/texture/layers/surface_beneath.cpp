@@ -1,8 +1,8 @@
 #include "core/texture/layers/surface_beneath.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/layers/layer_stack.h"
 #include "core/texture/layers/plane_rays.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "core/texture/maps/ambient_occlusion.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/surface/surface_query.h"
 #include "core/texture/layers/patch_scan.h"
 #include "core/texture/layers/texel_owners.h"
-#include "core/texture/parallel_steps.h"
 
 #include <Eigen/Geometry>
 

@@ -1,7 +1,7 @@
 #include "core/texture/maps/finish_pages.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/maps/patch_frame.h"
-#include "core/texture/parallel_steps.h"
 
 #include <Eigen/Dense>
 

@@ -1,6 +1,6 @@
 #include "core/texture/photo/highlights.h"
 
-#include "core/texture/parallel_steps.h"
+#include "core/support/parallel_steps.h"
 
 #include <opencv2/imgproc.hpp>
 #include <opencv2/photo.hpp>

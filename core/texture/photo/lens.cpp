@@ -1,6 +1,6 @@
 #include "core/texture/photo/lens.h"
 
-#include "core/texture/parallel_steps.h"
+#include "core/support/parallel_steps.h"
 #include "core/texture/photo/photo_sampler.h"
 
 #include <cmath>

@@ -218,6 +218,14 @@ TEST(FilledBody, RefusesWhatCannotBeFilled) {
     const std::string tooFine = refusal(mesh, {LatticeKind::BodyCentred, 1e-4});
     EXPECT_THAT(tooFine, HasSubstr("million nodes and"));
     EXPECT_THAT(tooFine, HasSubstr("GB of memory"));
+    for (const LatticeKind kind : stiffKinds) {
+        const std::string text = refusal(mesh, {kind, 3e-4});
+        const std::string::size_type number = text.find("of some ");
+        ASSERT_NE(number, std::string::npos) << text;
+        const double advised = std::stod(text.substr(number + 8)) / 1000;
+        EXPECT_GT(estimateLattice(mesh, {kind, advised}).nodes, 0.7 * mostLatticeNodes) << text;
+        EXPECT_LE(estimateLattice(mesh, {kind, advised}).nodes, mostLatticeNodes) << text;
+    }
     EXPECT_THAT(refusal(flatSquare(1, 4), {LatticeKind::Cubic, 0.1}), HasSubstr("the surface is open"));
 }
 
@@ -252,6 +260,15 @@ TEST(LatticeEstimate, IsWithinAQuarterOfWhatComesOut) {
                 EXPECT_NEAR(estimate.tetrahedra / static_cast<double>(filled.tetrahedra.size()), 1, 0.25)
                     << wordOf(kind);
             }
+}
+
+TEST(LatticeEstimate, TellsItsProgress) {
+    for (const TriangleMesh& mesh : {lumpySurface(30, 60), test::crossedBall()}) {
+        const LatticeFilling filling{LatticeKind::BodyCentred,
+                                     boundingBox(mesh.vertices).sizes().maxCoeff() / 15};
+        test::expectSteadyProgress(
+            [&](const Progress& progress) { estimateLattice(mesh, filling, progress); });
+    }
 }
 
 TEST(LatticeEstimate, TellsTheCountOfWhatWouldBeRefused) {

@@ -4,6 +4,7 @@
 #include "core/solid/lattice_elasticity.h"
 #include "tests/support/solid_surfaces.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace esm {
@@ -77,11 +78,17 @@ TEST(GradedLattice, IsTheEvenOneWhereNothingIsDeepEnough) {
     const FilledBody even = fillBody(plate, {LatticeKind::BodyCentred, spacing}),
                      graded = fillBody(plate, {LatticeKind::Graded, spacing});
     EXPECT_EQ(graded.nodes.size(), even.nodes.size());
-    EXPECT_EQ(graded.springs.size(), even.springs.size());
-    double difference = 0;
-    for (std::size_t i = 0; i < std::min(even.springs.size(), graded.springs.size()); ++i)
-        difference += graded.springs[i].constant - even.springs[i].constant;
-    EXPECT_NEAR(difference, 0, 0.01);
+    ASSERT_EQ(graded.springs.size(), even.springs.size());
+    const auto constantsOf = [](const FilledBody& body) {
+        std::vector<double> constants;
+        for (const LatticeSpring& spring : body.springs)
+            constants.push_back(spring.constant);
+        std::sort(constants.begin(), constants.end());
+        return constants;
+    };
+    const std::vector<double> ofEven = constantsOf(even), ofGraded = constantsOf(graded);
+    for (std::size_t i = 0; i < ofEven.size(); ++i)
+        EXPECT_NEAR(ofGraded[i], ofEven[i], 0.01); // of even ones shares are sampled
 }
 
 TEST(GradedLattice, HasNoFloppyModes) {
@@ -104,7 +111,7 @@ TEST(GradedLattice, HasAsManyNodesAsIsSaidBefore) {
 
 TEST(GradedLattice, KnowsHowDeepABallIs) {
     const std::vector<ClosedBody> bodies = closedBodiesOf(test::ball(1, {0, 0, 0}, 40));
-    const std::vector<double> depths = depthsWithin(bodies[0]);
+    const std::vector<double> depths = depthsWithin(bodies[0], 4096);
     ASSERT_GT(depths.size(), 1000U);
     for (const double depth : {0.1, 0.3, 0.5}) {
         const auto deeper = depths.end() - std::lower_bound(depths.begin(), depths.end(), depth);

@@ -1,6 +1,7 @@
 #include "core/solid/self_intersections.h"
 
 #include "tests/support/solid_surfaces.h"
+#include "tests/support/steady_progress.h"
 
 #include <gtest/gtest.h>
 
@@ -51,6 +52,20 @@ TEST(SelfIntersections, AreThoseThatTryingAllPairsFinds) {
                         doesPierce(mesh, mesh.triangles[j], mesh.triangles[i]);
     EXPECT_GT(expected, 20U);
     EXPECT_EQ(selfIntersectionsOf(mesh).pairs, expected);
+}
+
+// One long triangle lies in the boxes of none but those that it meets, however small the others are.
+TEST(SelfIntersections, AreFoundBesideATriangleThatIsFarLongerThanAllOthers) {
+    TriangleMesh mesh = test::ball(1, {0, 0, 0}, 60);
+    EXPECT_EQ(selfIntersectionsOf(mesh).pairs, 0U);
+    test::append(mesh, {{{-100, -77, -61}, {100, 77, 61}, {100, 77, 61.01}}, {{0, 1, 2}}});
+    EXPECT_GE(selfIntersectionsOf(mesh).pairs, 2U);
+    EXPECT_LE(selfIntersectionsOf(mesh).pairs, 8U);
+}
+
+TEST(SelfIntersections, AreSoughtWithProgress) {
+    const TriangleMesh mesh = test::ball(1, {0, 0, 0}, 60);
+    test::expectSteadyProgress([&](const Progress& progress) { selfIntersectionsOf(mesh, progress); });
 }
 
 } // namespace

@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
+#include <QTabBar>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -123,14 +124,22 @@ TEST_F(KeysHomeTest, EnterTakesWhatWasTypedAndGivesTheKeysBack) {
     EXPECT_TRUE(plain->hasFocus());
 }
 
-TEST_F(KeysHomeTest, AButtonThatTheMousePressedGivesThemBack) {
+TEST_F(KeysHomeTest, AButtonOrTabThatTheMousePressedGivesThemBack) {
     QSignalSpy clicked(button, &QPushButton::clicked);
     QTest::mouseClick(button, Qt::LeftButton, {}, {3, 3});
     EXPECT_EQ(clicked.count(), 1);
     ESM_EVENTUALLY(plain->hasFocus());
+    auto* tabs = new QTabBar(&window);
+    tabs->addTab("one");
+    tabs->addTab("another");
+    window.layout()->addWidget(tabs);
+    ESM_EVENTUALLY(tabs->isVisible() && tabs->tabRect(1).isValid());
+    QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
+    EXPECT_EQ(tabs->currentIndex(), 1);
+    ESM_EVENTUALLY(plain->hasFocus());
     press(button, Qt::Key_Space); // by the keyboard it is pressed again and again
     EXPECT_EQ(clicked.count(), 2);
-    QTest::qWait(50);
+    QApplication::processEvents();
     EXPECT_TRUE(button->hasFocus());
 }
 

@@ -54,9 +54,9 @@ void ComparisonHeader::setState(const State& state, const Texts& texts) {
 
 void ComparisonHeader::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const int buttons =
-        m_keep->sizeHint().width() + m_clear->sizeHint().width() + m_saving->sizeHint().width();
-    const bool isNarrow = width() < buttons + roomForTitle;
+    const int inOneRow = m_comparing->sizeHint().width() - m_title->sizeHint().width() + m_all->spacing() +
+                         m_saving->sizeHint().width();
+    const bool isNarrow = width() < inOneRow + roomForTitle;
     m_all->setDirection(isNarrow ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 

@@ -74,8 +74,8 @@ void ClinicalRows::setTissue(const Tissue& tissue) {
     m_relaxation->setValue(relaxationTime);
     enable(m_relaxation, draws,
            tr("Viscosity over spring constant: stretched tissue that is let go has a third of its way left "
-              "after this time; the viscosity follows. A dent of a hollow organ may take a hundred times "
-              "as long: it bends the surface and hardly stretches it"),
+              "after this time; the viscosity follows. A dent takes some twenty times as long in a solid "
+              "organ, and a hundred times and more in a hollow one that it bends and hardly stretches"),
            tr("There is no relaxation time where no spring constant is set that draws the tissue back"));
 }
 

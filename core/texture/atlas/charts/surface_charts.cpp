@@ -1,8 +1,8 @@
 #include "core/texture/atlas/charts/surface_charts.h"
 
+#include "core/support/parallel_steps.h"
 #include "core/texture/atlas/charts/chart_border.h"
 #include "core/texture/atlas/stretch.h"
-#include "core/texture/parallel_steps.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "tests/core/exchange/project/project_file_fixture.h"
 
+#include "core/project/detail_change.h"
+#include "core/solid/filled_body.h"
 #include "core/support/byte_order.h"
 #include "tests/support/same_project.h"
 
@@ -62,6 +64,16 @@ TEST_F(ProjectFile, ALatticeWithoutItsPartsIsRefused) {
 TEST_F(ProjectFile, WithALatticeInAnOlderVersionOpensWithAWarning) {
     changeManifestOf(filledProject(), "/version", [](Json& version) { version = 11; });
     EXPECT_THAT(openProject(m_file).warnings, testing::Contains(HasSubstr("version should be 12")));
+}
+
+TEST_F(ProjectFile, WithAGradedLatticeIsOfVersion13) {
+    Project project = filledProject();
+    project =
+        withDetail(project, {Detail::Kind::Filled, 0, fillingOf(*project.mesh, LatticeKind::Graded, 60)});
+    saveProject(project, m_file);
+    expectSameProject(project, loadProject(m_file));
+    changeManifestOf(project, "/version", [](Json& version) { version = 12; });
+    EXPECT_THAT(openProject(m_file).warnings, testing::Contains(HasSubstr("version should be 13")));
 }
 
 } // namespace

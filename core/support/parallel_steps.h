@@ -9,6 +9,7 @@
 namespace esm {
 
 /// Calls `work(i)` for all i below `count` on all threads, in blocks of which a free thread takes the next.
+/// What one call writes no other may read or write, so that the result does not depend on the threads.
 /// @throws what `work` throws, and Cancelled where a block's progress is
 template<typename Work>
 void forEachInBlocks(std::size_t count, std::size_t block, const Progress& progress, const Work& work) {
