@@ -132,10 +132,12 @@ TEST_F(KeysHomeTest, AButtonOrTabThatTheMousePressedGivesThemBack) {
     auto* tabs = new QTabBar(&window);
     tabs->addTab("one");
     tabs->addTab("another");
+    tabs->setFocusPolicy(Qt::StrongFocus);
     window.layout()->addWidget(tabs);
     ESM_EVENTUALLY(tabs->isVisible() && tabs->tabRect(1).isValid());
     QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
     EXPECT_EQ(tabs->currentIndex(), 1);
+    EXPECT_TRUE(tabs->hasFocus());
     ESM_EVENTUALLY(plain->hasFocus());
     press(button, Qt::Key_Space); // by the keyboard it is pressed again and again
     EXPECT_EQ(clicked.count(), 2);

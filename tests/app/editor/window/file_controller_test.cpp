@@ -278,7 +278,7 @@ TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
 TEST_F(FileControllerTest, AnImportThatCannotBeMadeIsAskedAgainWithItsAnswers) {
     const auto network = project().network;
     dialogs.expectNamed("importDialog", [](QDialog* dialog) {
-        dialog->findChild<QRadioButton*>("unit1")->click();
+        dialog->findChild<QRadioButton*>("unit0")->click(); // millimetres: 90 of them
         dialog->findChild<QRadioButton*>("importBody2")->click(); // a wall of prisms
         dialog->findChild<NumberField*>("importThickness")->setValue(0.9);
         dialog->accept();
@@ -289,7 +289,7 @@ TEST_F(FileControllerTest, AnImportThatCannotBeMadeIsAskedAgainWithItsAnswers) {
         dialog->accept();
     });
     dialogs.expectNamed("importDialog", [](QDialog* dialog) {
-        EXPECT_TRUE(dialog->findChild<QRadioButton*>("unit1")->isChecked());
+        EXPECT_TRUE(dialog->findChild<QRadioButton*>("unit0")->isChecked());
         EXPECT_TRUE(dialog->findChild<QRadioButton*>("importBody2")->isChecked());
         EXPECT_EQ(dialog->findChild<NumberField*>("importThickness")->value(), 0.9);
         dialog->findChild<NumberField*>("importThickness")->setValue(0.01);
