@@ -81,16 +81,18 @@ private:
 /// A button that the mouse pressed is done with, and so is a tab; who goes to them by the keyboard stays.
 class ClickedFilter : public QObject {
 public:
-    ClickedFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window), m_home(home) {
+    ClickedFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window) {
+        m_afterwards.setSingleShot(true);
+        connect(&m_afterwards, &QTimer::timeout, this, [this, &home] {
+            if (isDoneByAClick(m_window.focusWidget())) home.setFocus();
+        });
         QApplication::instance()->installEventFilter(this);
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() != QEvent::MouseButtonRelease || !isDoneByAClick(watched)) return false;
-        if (static_cast<QWidget*>(watched)->window() == &m_window)
-            QTimer::singleShot(0, this, [this] {
-                if (isDoneByAClick(m_window.focusWidget())) m_home.setFocus();
-            });
+        if (event->type() == QEvent::MouseButtonRelease && isDoneByAClick(watched) &&
+            static_cast<QWidget*>(watched)->window() == &m_window)
+            m_afterwards.start(0);
         return false;
     }
 
@@ -99,7 +101,8 @@ private:
         return qobject_cast<const QPushButton*>(control) || qobject_cast<const QTabBar*>(control);
     }
 
-    QWidget &m_window, &m_home;
+    QWidget& m_window;
+    QTimer m_afterwards; ///< once the click is done
 };
 
 class WheelFilter : public QObject {
