@@ -53,12 +53,26 @@ bool isDone(const QWidget* control) {
     return qobject_cast<const QLineEdit*>(control) && (!number || number->refusal().isEmpty());
 }
 
+/// Whether a control that the mouse has answered needs no keys; who goes to it by the keyboard stays.
+bool isAnswered(const QObject* control) {
+    return qobject_cast<const QPushButton*>(control) || qobject_cast<const QTabBar*>(control) ||
+           qobject_cast<const QComboBox*>(control);
+}
+
 class KeysHomeFilter : public QObject {
 public:
     KeysHomeFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window), m_home(home) {
         window.installEventFilter(this);
         for (QComboBox* choice : window.findChildren<QComboBox*>())
             choice->view()->installEventFilter(this);
+        for (QPushButton* button : window.findChildren<QPushButton*>())
+            button->installEventFilter(this);
+        for (QTabBar* tabs : window.findChildren<QTabBar*>())
+            tabs->installEventFilter(this);
+        m_afterwards.setSingleShot(true);
+        connect(&m_afterwards, &QTimer::timeout, this, [this] {
+            if (isAnswered(m_window.focusWidget())) m_home.setFocus();
+        });
     }
 
     bool eventFilter(QObject* watched, QEvent* event) override {
@@ -66,43 +80,16 @@ public:
         // Enter comes here from a field that has taken its text.
         if (watched == &m_window && (isLost || (isEnter(*event) && isDone(m_window.focusWidget()))))
             m_home.setFocus();
-        // The list of a choice closes before the choice is made, which may open a window.
-        if (watched != &m_window && event->type() == QEvent::Hide)
-            QTimer::singleShot(0, this, [this] {
-                if (qobject_cast<QComboBox*>(m_window.focusWidget())) m_home.setFocus();
-            });
+        // The list of a choice closes before the choice is made, and a button acts after the mouse let it go;
+        // either may open a window.
+        const auto answer = isAnswered(watched) ? QEvent::MouseButtonRelease : QEvent::Hide;
+        if (watched != &m_window && event->type() == answer) m_afterwards.start(0);
         return false;
     }
 
 private:
     QWidget &m_window, &m_home;
-};
-
-/// A button that the mouse pressed is done with, and so is a tab; who goes to them by the keyboard stays.
-class ClickedFilter : public QObject {
-public:
-    ClickedFilter(QWidget& window, QWidget& home) : QObject(&window), m_window(window) {
-        m_afterwards.setSingleShot(true);
-        connect(&m_afterwards, &QTimer::timeout, this, [this, &home] {
-            if (isDoneByAClick(m_window.focusWidget())) home.setFocus();
-        });
-        QApplication::instance()->installEventFilter(this);
-    }
-
-    bool eventFilter(QObject* watched, QEvent* event) override {
-        if (event->type() == QEvent::MouseButtonRelease && isDoneByAClick(watched) &&
-            static_cast<QWidget*>(watched)->window() == &m_window)
-            m_afterwards.start(0);
-        return false;
-    }
-
-private:
-    static bool isDoneByAClick(const QObject* control) {
-        return qobject_cast<const QPushButton*>(control) || qobject_cast<const QTabBar*>(control);
-    }
-
-    QWidget& m_window;
-    QTimer m_afterwards; ///< once the click is done
+    QTimer m_afterwards; ///< once what the mouse did is done
 };
 
 class WheelFilter : public QObject {
@@ -128,7 +115,6 @@ void keepControlKeys(QWidget& window) {
 
 void giveKeysHome(QWidget& window, QWidget& home) {
     new KeysHomeFilter(window, home);
-    new ClickedFilter(window, home);
 }
 
 bool isRedo(const QKeyEvent& key) {

@@ -96,6 +96,11 @@ protected:
         ControlKeysTest::SetUp();
         window.layout()->addWidget(number);
         window.layout()->addWidget(name);
+        window.layout()->addWidget(tabs);
+        tabs->addTab("one");
+        tabs->addTab("another");
+        tabs->setFocusPolicy(Qt::StrongFocus);
+        QApplication::processEvents();
         giveKeysHome(window, *plain);
     }
     void typeAndEnter(QLineEdit* field, const QString& text) {
@@ -112,6 +117,7 @@ protected:
 
     NumberField* number = new NumberField(NumberFormat{.unit = "mm", .maximum = 10}, &window);
     QLineEdit* name = new QLineEdit(&window);
+    QTabBar* tabs = new QTabBar(&window);
 };
 
 } // namespace
@@ -129,12 +135,6 @@ TEST_F(KeysHomeTest, AButtonOrTabThatTheMousePressedGivesThemBack) {
     QTest::mouseClick(button, Qt::LeftButton, {}, {3, 3});
     EXPECT_EQ(clicked.count(), 1);
     ESM_EVENTUALLY(plain->hasFocus());
-    auto* tabs = new QTabBar(&window);
-    tabs->addTab("one");
-    tabs->addTab("another");
-    tabs->setFocusPolicy(Qt::StrongFocus);
-    window.layout()->addWidget(tabs);
-    ESM_EVENTUALLY(tabs->isVisible() && tabs->tabRect(1).isValid());
     QTest::mouseClick(tabs, Qt::LeftButton, {}, tabs->tabRect(1).center());
     EXPECT_EQ(tabs->currentIndex(), 1);
     EXPECT_TRUE(tabs->hasFocus());
