@@ -278,7 +278,7 @@ TEST_F(FileControllerTest, EscapeInTheImportDialogLeavesEverythingAsItWas) {
 TEST_F(FileControllerTest, AnImportThatCannotBeMadeIsAskedAgainWithItsAnswers) {
     const auto network = project().network;
     dialogs.expectNamed("importDialog", [](QDialog* dialog) {
-        dialog->findChild<QRadioButton*>("unit0")->click(); // millimetres: 90 of them
+        dialog->findChild<QRadioButton*>("unit0")->click();       // millimetres: 90 of them
         dialog->findChild<QRadioButton*>("importBody2")->click(); // a wall of prisms
         dialog->findChild<NumberField*>("importThickness")->setValue(0.9);
         dialog->accept();
