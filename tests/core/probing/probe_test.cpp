@@ -19,24 +19,25 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double springConstant = 10;                       ///< N/m
-constexpr double blockWidth = 0.06, blockHeight = 0.03;     ///< m
-constexpr double fingerRadius = 0.06, pressedDepth = 0.002; ///< m: a contact radius of 11 mm
+constexpr double springConstant = 10;                             ///< N/m
+constexpr double blockWidth = 0.06, blockHeight = blockWidth / 2; ///< m
+constexpr double fingerRadius = 0.06, pressedDepth = 0.002;       ///< m: a contact radius of 11 mm
 
 /// A block filled with a lattice, its lower face fixed, its upper one at z = 0.
 struct FilledBlock {
     TissueModel model;
     TouchedSurface surface;
 };
-FilledBlock filledBlock(LatticeKind kind, double spacing) {
-    const TriangleMesh mesh =
-        test::block({-blockWidth / 2, -blockWidth / 2, -blockHeight}, {blockWidth / 2, blockWidth / 2, 0});
+/// @param width (m), twice the height
+FilledBlock filledBlock(LatticeKind kind, double spacing, double width = blockWidth) {
+    const double height = width / 2;
+    const TriangleMesh mesh = test::block({-width / 2, -width / 2, -height}, {width / 2, width / 2, 0});
     const auto network = std::make_shared<const SpringNetwork>(
         networkOf(mesh, {Detail::Kind::Filled, 0, LatticeFilling{kind, spacing}}));
     FilledBlock block{tissue::model(*network, {springConstant, 0.1, 1e-3}), touchedSurface(mesh, *network)};
     block.model.ownValues = sharedValues(block.model, usualWallThickness);
     for (std::uint32_t node = 0; node < network->restPositions.size(); ++node)
-        if (network->restPositions[node].z() < -blockHeight + 1e-6) block.model.fixedNodes.push_back(node);
+        if (network->restPositions[node].z() < -height + 1e-6) block.model.fixedNodes.push_back(node);
     return block;
 }
 
@@ -57,9 +58,13 @@ TEST(Probe, FindsALatticeAsFirmAsTheSolidThatItStandsFor) {
 }
 
 TEST(Probe, FindsLatticesOfAnySpacingEquallyFirm) {
-    const double fine = forceOn(filledBlock(LatticeKind::BodyCentred, 0.003));
+    constexpr double width = 0.044; // m: four contact radii, of which each spacing has three or more
+    const auto force = [&](double spacing) {
+        return forceOn(filledBlock(LatticeKind::BodyCentred, spacing, width));
+    };
+    const double fine = force(0.003);
     for (const double spacing : {0.0036, 0.0033})
-        EXPECT_NEAR(forceOn(filledBlock(LatticeKind::BodyCentred, spacing)), fine, 0.05 * fine) << spacing;
+        EXPECT_NEAR(force(spacing), fine, 0.05 * fine) << spacing;
 }
 
 /// Of prisms, fixed below: a dent can be deeper than the wall is thick.
