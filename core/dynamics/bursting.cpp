@@ -12,9 +12,10 @@ namespace {
 /// times its volume on, where it is twice as wide, and no pressure has a place of rest beyond.
 constexpr double mostGrowth = 10;
 
-/// People count from 1, files from 0: so it is said whose number it is.
-std::string partInFiles(const SpringSystem::Filled& cavity) {
-    return "the part of the surface that files number " + std::to_string(cavity.part);
+/// People count from 1, files from 0.
+std::string partText(const SpringSystem::Filled& cavity) {
+    return "part " + std::to_string(cavity.part + 1) + " of the surface (number " +
+           std::to_string(cavity.part) + " in files)";
 }
 
 } // namespace
@@ -27,12 +28,11 @@ std::string burstOf(const SpringSystem& system, const Vectors& positions) {
         const SpringSystem::Filled& cavity = system.cavities[i];
         if (std::abs(volumes[i]) <= mostGrowth * cavity.restVolume) continue;
         if (volumes[i] < 0)
-            return "suction turned " + partInFiles(cavity) +
-                   " inside out and swelled it beyond ten times its volume at rest; let it suck less, or "
+            return "suction turned " + partText(cavity) +
+                   " inside out and swelled it beyond ten times its volume at rest: let it suck less, or "
                    "raise the spring constant";
-        return "the fluid bursts " + partInFiles(cavity) +
-               ": its volume grew beyond ten times that at rest, where the wall holds the pressure no more; "
-               "lower the pressure, or raise the spring constant";
+        return "the pressure bursts " + partText(cavity) +
+               ", more than ten times as large as at rest: lower the pressure, or raise the spring constant";
     }
     return {};
 }

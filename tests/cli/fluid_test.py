@@ -100,7 +100,7 @@ class FluidTest(Case):
         process_scene = {"duration": 5, "pressures": [{"part": 0, "path": [[0, 0], [5, 1e5]]}], "record": {"every": 0.1}}
         said = self.fails(1, "simulate", self.project, "--scene", self.file("scene.json", process_scene), "-o",
                            self.file("out.csv"))
-        self.assertIn("the fluid bursts the part of the surface that files number 0", said)
+        self.assertIn("the pressure bursts part 1 of the surface (number 0 in files)", said)
         self.assertNotIn("nan", self.file("out.csv").read_text().lower())
         self.assertTrue(math.isfinite(float(self.file("out.csv").read_text().split(",")[-1])))
 

@@ -87,7 +87,7 @@ class ProbeTest(Case):
         # What presses later in the scene takes no part.
         later = self.done("probe", under("later.esm", [[0, 60], [1, 500]]), *options)
         self.assertAlmostEqual(later["force"], self.done("probe", tense, *options)["force"], delta=1e-9)
-        self.fails(1, "probe", under("burst.esm", [[0, 1e5]]), *options, naming="bursts the part")
+        self.fails(1, "probe", under("burst.esm", [[0, 1e5]]), *options, naming="bursts part 1")
         strip = ["--at", self.at(), "--strip", "0.04 0.02", "--steps", 2]
         self.assertEqual(self.done("probe", tense, *strip)["force"], self.done("probe", organ, *strip)["force"])
 

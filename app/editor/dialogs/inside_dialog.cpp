@@ -151,7 +151,10 @@ void InsideDialog::addButtons(QVBoxLayout* column) {
     m_accept->setProperty("primary", true);
     m_accept->setDefault(true);
     buttons->addButton(m_accept, QDialogButtonBox::AcceptRole);
-    buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Keep the organ as it is"));
+    QPushButton* cancel = buttons->button(QDialogButtonBox::Cancel);
+    cancel->setToolTip(tr("Keep the organ as it is"));
+    // While the inside is made the tab key reaches it past the other button, and Enter would throw that away.
+    cancel->setAutoDefault(false);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

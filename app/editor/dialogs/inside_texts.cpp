@@ -63,7 +63,8 @@ QString aboutInside(const std::optional<LatticeKind>& kind) {
                            "springs.");
     case LatticeKind::Graded:
         return QObject::tr(
-            "Body-centred, with wider cubes deep within: fewer nodes where an organ is thick.");
+            "Body-centred, with wider cubes deep within: a fifth fewer nodes from some 20 000 on; with the "
+            "usual spacing hardly any cube is deep enough.");
     case LatticeKind::Diamond:
         return QObject::tr("As in diamond, with second neighbours: firmer along some directions than "
                            "others, up to twice.");

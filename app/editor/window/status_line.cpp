@@ -1,5 +1,6 @@
 #include "app/editor/window/status_line.h"
 
+#include "app/editor/dialogs/sentence.h"
 #include "app/editor/panels/measure/stepping_text.h"
 #include "widgets/inputs/number_text.h"
 
@@ -125,7 +126,7 @@ void StatusLine::showStatus(const PreviewStatus& status) {
     m_stability->setText(safeText(status));
     explainStep(status);
     m_gauge->setShare(status.safeStep ? status.timeStep / *status.safeStep : -1);
-    const QString failure = QString::fromStdString(status.failure).replace('\n', QStringLiteral("; "));
+    const QString failure = sentence(status.failure).replace('\n', QStringLiteral("; "));
     const QString recovery = recoveryText(status);
     const QString shortening = shorteningText(status);
     if (failure == m_failure && recovery == m_recovery && shortening == m_shortening) return;

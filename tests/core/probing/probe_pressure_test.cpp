@@ -105,7 +105,7 @@ TEST_F(BalloonProbe, RelaxesAndCreepsFromWhereItRestsUnderThePressure) {
 }
 
 TEST_F(BalloonProbe, SaysWhatBurstsUnderThePressure) {
-    EXPECT_THAT(problem(3), testing::HasSubstr("bursts the part of the surface"));
+    EXPECT_THAT(problem(3), testing::HasSubstr("bursts part 1 of the surface"));
     EXPECT_THAT(problem(3), testing::HasSubstr("lower the pressure"));
     settings.place = {1, 0, 0};
     EXPECT_THAT(problem(3), testing::HasSubstr("off the organ's surface")) << "what is sooner known is said";

@@ -36,8 +36,8 @@ NumberFormat pressureFormat() {
     NumberFormat format;
     format.unit = QStringLiteral("mmHg");
     format.shownPerValue = 1 / pascalPerMillimetreOfMercury;
-    format.minimum = -1e5;
-    format.maximum = 1e6;
+    format.minimum = -750 * pascalPerMillimetreOfMercury;
+    format.maximum = 7500 * pascalPerMillimetreOfMercury;
     format.step = pascalPerMillimetreOfMercury;
     return format;
 }

@@ -85,7 +85,7 @@ TEST_F(StatusLineTest, SaysThatTheMotionWentBackAndOnInShorterSteps) {
     EXPECT_TRUE(message().contains("went back")) << message().toStdString();
     status.failure = "the tissue flew apart";
     line->showStatus(status);
-    EXPECT_EQ(message(), "the tissue flew apart");
+    EXPECT_EQ(message(), "The tissue flew apart");
     line->showStatus(playingAt(3, 4e-3));
     EXPECT_EQ(message(), "");
 }

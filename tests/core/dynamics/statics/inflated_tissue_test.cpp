@@ -101,8 +101,7 @@ TEST(InflatedTissue, BurstsWhereTheWallHoldsNoMoreAndSaysWhatItBears) {
             inflatedTo(times * softWallBears, model);
             FAIL() << times;
         } catch (const InvalidModel& error) {
-            EXPECT_THAT(error.what(),
-                        testing::HasSubstr("bursts the part of the surface that files number 0"))
+            EXPECT_THAT(error.what(), testing::HasSubstr("bursts part 1 of the surface (number 0 in files)"))
                 << times;
         }
     try {
