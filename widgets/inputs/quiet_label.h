@@ -11,6 +11,9 @@ inline QLabel* quietLabel(const QString& text, QWidget* parent, QWidget* buddy =
     auto* label = new QLabel(text, parent);
     label->setProperty("quiet", true);
     label->setBuddy(buddy);
+    // An underlined letter is drawn by itself, and the rest a pixel or two further right than it was
+    // measured.
+    if (buddy) label->setContentsMargins(0, 0, 2, 0);
     return label;
 }
 

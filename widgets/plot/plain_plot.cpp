@@ -19,7 +19,19 @@ constexpr int mostLabels = 8; ///< of a scale
 /// "1000" rather than "1e+03", and no more digits than a power of ten needs.
 class PlainScale : public QwtScaleDraw {
 public:
-    QwtText label(double value) const override { return QwtText(QString::number(value, 'g', 6)); }
+    void setColour(const QColor& colour) {
+        m_colour = colour;
+        invalidateCache();
+    }
+
+    QwtText label(double value) const override {
+        QwtText text(QString::number(value, 'g', 6));
+        text.setColor(m_colour);
+        return text;
+    }
+
+private:
+    QColor m_colour;
 };
 
 } // namespace
@@ -57,7 +69,8 @@ bool PlainPlot::event(QEvent* event) {
     return taken;
 }
 
-// A style sheet that changes gives the canvas back the palette that it had first: it cannot hold the colour.
+// A style sheet that changes gives the canvas back the palette that it had first: it cannot hold the colour,
+// nor can a scale that of its numbers.
 void PlainPlot::drawCanvas(QPainter* painter) {
     painter->fillRect(canvas()->contentsRect(), palette().color(QPalette::Base));
     QwtPlot::drawCanvas(painter);
@@ -78,8 +91,8 @@ void PlainPlot::followTheme() {
         setAxisFont(axis, small);
         QPalette scale = axisWidget(axis)->palette();
         scale.setColor(QPalette::WindowText, line);
-        scale.setColor(QPalette::Text, quiet);
         axisWidget(axis)->setPalette(scale);
+        static_cast<PlainScale*>(axisScaleDraw(axis))->setColour(quiet);
     }
     fitScales();
     replot();

@@ -14,9 +14,9 @@ namespace esm {
 namespace {
 
 constexpr int fromEdge = 14, gap = 8; // pixels
-constexpr int besideCube =
-    106; // pixels that the axis cube takes at each side, so that the notice is in the middle
-constexpr int widestNotice = 620; // pixels
+// Pixels that the choice of what is shown takes at the left, and the axis cube at the right and above.
+constexpr int besideChoice = 182, besideCube = 106, underCube = 78;
+constexpr int widestNotice = 620, leastBeside = 320; // pixels
 
 } // namespace
 
@@ -78,21 +78,27 @@ bool ViewNotice::eventFilter(QObject*, QEvent* event) {
     return false;
 }
 
+// Between the choice of what is shown and the cube, in the middle if it can; below both where that is narrow.
 void ViewNotice::placeAll() {
-    int top = fromEdge;
+    int left = besideChoice, right = m_view.width() - besideCube, top = fromEdge;
+    if (right - left < leastBeside) {
+        left = fromEdge;
+        right = m_view.width() - fromEdge;
+        top = underCube;
+    }
     for (ViewNotice* notice : m_view.findChildren<ViewNotice*>(QString(), Qt::FindDirectChildrenOnly)) {
         if (notice->isHidden()) continue;
-        notice->place(top);
+        notice->place(left, right, top);
         top += notice->height() + gap;
     }
 }
 
-void ViewNotice::place(int top) {
-    const int width = std::clamp(m_view.width() - 2 * besideCube, 200, widestNotice);
+void ViewNotice::place(int left, int right, int top) {
+    const int width = std::min(right - left, widestNotice);
     layout()->activate();
     const int height =
         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : sizeHint().height();
-    setGeometry((m_view.width() - width) / 2, top, width, height);
+    setGeometry(std::max(left, (m_view.width() - width) / 2), top, width, height);
 }
 
 } // namespace esm

@@ -29,7 +29,7 @@ protected:
 
 private:
     void placeAll();
-    void place(int top);
+    void place(int left, int right, int top);
 
     QWidget& m_view;
     QLabel* m_text;

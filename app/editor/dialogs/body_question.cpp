@@ -8,6 +8,7 @@
 #include "core/solid/filled_body.h"
 #include "core/solid/prism_wall.h"
 #include "widgets/inputs/action_texts.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
@@ -89,6 +90,7 @@ void BodyQuestion::addBodies(QFormLayout* form) {
 void BodyQuestion::addDetail(QFormLayout* form) {
     m_detail->setObjectName(QStringLiteral("importDetail"));
     m_detail->addItems({tr("every vertex"), tr("fewer nodes under the full surface"), tr("one stiff piece")});
+    guardFromWheel(*m_detail);
     const auto addField = [&](const QString& caption, QWidget* field) {
         QLabel* label = quietLabel(caption, this, field);
         field->setAccessibleName(withoutMnemonic(caption));

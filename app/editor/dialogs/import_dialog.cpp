@@ -6,6 +6,7 @@
 #include "app/editor/dialogs/preview_background.h"
 #include "core/authoring/import_unit.h"
 #include "core/solid/prism_wall.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
@@ -30,6 +31,7 @@ void addChoice(QFormLayout* form, const QString& caption, QComboBox* choice, con
     QLabel* label = quietLabel(caption, choice->parentWidget(), choice);
     choice->setAccessibleName(withoutMnemonic(caption));
     choice->setToolTip(toolTip);
+    guardFromWheel(*choice);
     form->addRow(label, choice);
 }
 

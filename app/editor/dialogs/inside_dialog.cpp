@@ -9,6 +9,7 @@
 #include "core/render/organ_scene.h"
 #include "core/render/view_state.h"
 #include "core/solid/prism_wall.h"
+#include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/refused_numbers.h"
@@ -113,6 +114,7 @@ void InsideDialog::addQuestions(QVBoxLayout* column) {
           std::pair{LatticeKind::BareDiamond, tr("solid, bare diamond lattice")},
           std::pair{LatticeKind::Prisms, tr("hollow, with a wall of prisms")}})
         m_kind->addItem(name, static_cast<int>(kind));
+    guardFromWheel(*m_kind);
     m_kind->setToolTip(tr("Whether nodes and springs fill the organ, and how they are laid out"));
     m_spacing->setObjectName(QStringLiteral("insideSpacing"));
     m_thickness->setObjectName(QStringLiteral("insideThickness"));

@@ -36,6 +36,17 @@ QWidget* BrushTool::makeOptions() {
     return new BrushPanel(m_painting);
 }
 
+/// What of a layer is to be erased or brought back is no painting.
+QString BrushTool::hint() const {
+    const BrushKind kind = m_painting.brush().kind;
+    if (!m_painting.layer() || (kind != BrushKind::Erase && kind != BrushKind::Restore)) return {};
+    const bool isPhoto = m_painting.layer()->photo != nullptr;
+    return (kind == BrushKind::Erase ? (isPhoto ? tr("Drag over the organ to erase the photo there")
+                                                : tr("Drag over the organ to erase the paint there"))
+                                     : tr("Drag over the organ to bring back what was erased")) +
+           tr(" · [ and ] make the brush smaller and larger · the right button turns the view");
+}
+
 Hold BrushTool::press(const ToolMouse& mouse) {
     lookAt(surfaceUnder(mouse));
     const auto point = brushPointAt(mouse.sight, mouse.place);

@@ -21,6 +21,7 @@ public:
     void draw(QPainter& painter, const Sight& sight, const QPalette& palette) const override;
     Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
     QString whyNot() const override { return missingLayer(m_selection); }
+    QString hint() const override;
     QWidget* makeOptions() override;
 
 private:

@@ -53,8 +53,9 @@ std::vector<FirstSteps::Step> FirstSteps::makeSteps() {
              "Pull at the tissue: drag on the organ with the left mouse button. The right button turns the "
              "view, the wheel comes closer.")),
          [this] { return m_pulls > 0; }},
-        {saying(tr("Mark a region with tissue of its own: “+ add” at the left lays one on the surface in the "
-                   "middle of the view.")),
+        {saying(
+             tr("Mark a region with tissue of its own: “+ add” beside Regions lays one on the surface in the "
+                "middle of the view.")),
          [this] { return m_document.project().regions.size() > m_before->regions.size(); }},
         {sliderHint, [this] { return haveOtherWords(*m_before, m_document.project()); }},
         {saying(tr("Feel the difference: take the tool Pull and pull at the region, then beside it.")),

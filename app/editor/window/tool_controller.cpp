@@ -2,10 +2,27 @@
 
 #include "app/editor/window/shortcuts.h"
 
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QTimer>
+
 #include <algorithm>
 #include <utility>
 
 namespace esm {
+
+namespace {
+
+/// In front of the panels that lie in the same place, and scrolled to once it has its room.
+void bringIntoSight(QWidget& options) {
+    for (QWidget* around = options.parentWidget(); around; around = around->parentWidget()) {
+        if (auto* dock = qobject_cast<QDockWidget*>(around)) dock->raise();
+        if (auto* column = qobject_cast<QScrollArea*>(around))
+            QTimer::singleShot(0, &options, [column, &options] { column->ensureWidgetVisible(&options); });
+    }
+}
+
+} // namespace
 
 ToolController::ToolController(OrganView& view, const ToolContext& context)
     : QObject(&view), m_view(view), m_document(context.document), m_selection(context.selection),
@@ -60,8 +77,10 @@ std::vector<QWidget*> ToolController::makeOptions(ToolOptions place, ToolWorkspa
         if (row.options != place || !isThere) continue;
         QWidget* options = tool->makeOptions();
         options->setVisible(&m_view.tool() == tool);
-        connect(&m_view, &OrganView::toolChanged, options,
-                [this, options, tool = tool] { options->setVisible(&m_view.tool() == tool); });
+        connect(&m_view, &OrganView::toolChanged, options, [this, options, tool = tool] {
+            options->setVisible(&m_view.tool() == tool);
+            if (&m_view.tool() == tool) bringIntoSight(*options);
+        });
         made.push_back(options);
     }
     return made;
@@ -77,6 +96,7 @@ void ToolController::makeRoom() {
     if (needsRoom && left.isChecked()) {
         m_hidLeft = true;
         left.setChecked(false);
+        m_view.setFocus(); // or the next field would get it, and the tools' keys be typed into it
     } else if (!needsRoom && std::exchange(m_hidLeft, false)) {
         left.setChecked(true);
     }

@@ -36,11 +36,9 @@ QString figuresText(double realTimeFactor, double error) {
 QString runText(const TradeoffRun& run) {
     QString text = steppingText(run.stepping);
     if (run.coarser) text = QObject::tr("%1, %2 nodes").arg(text, countText(run.nodes));
-    const double speed = run.realTimeFactor();
-    return text + '\n' +
-           (run.isErrorBound ? QObject::tr("%1× real time, ≤ %2 % error")
-                                   .arg(numberText(speed, 2), numberText(100 * run.error, 2))
-                             : figuresText(speed, run.error));
+    return text + '\n' + QObject::tr("%1× real time").arg(numberText(run.realTimeFactor(), 2)) + '\n' +
+           (run.isErrorBound ? QObject::tr("≤ %1 % error") : QObject::tr("%1 % error"))
+               .arg(numberText(100 * run.error, 2));
 }
 
 } // namespace esm

@@ -198,14 +198,14 @@ QHBoxLayout* PhotoDialog::closeRow() {
     connect(m_redo, &QAction::triggered, &m_session, &PreparationSession::redo);
     connect(&m_session, &PreparationSession::changed, this, &PhotoDialog::showSteps);
     showSteps();
-    auto* cancel = addRowButton(row, tr("Cancel"));
-    cancel->setObjectName(QStringLiteral("cancelPhoto"));
-    cancel->setToolTip(tr("Put back all that was done in this window, and go back to the organ"));
-    connect(cancel, &QPushButton::clicked, this, &PhotoDialog::putBack);
     auto* close = addRowButton(row, tr("OK"));
     close->setObjectName(QStringLiteral("keepPhoto"));
     close->setToolTip(tr("Go back to the organ; what was done to the photo stays"));
     connect(close, &QPushButton::clicked, this, &PhotoDialog::keep);
+    auto* cancel = addRowButton(row, tr("Cancel"));
+    cancel->setObjectName(QStringLiteral("cancelPhoto"));
+    cancel->setToolTip(tr("Put back all that was done in this window, and go back to the organ"));
+    connect(cancel, &QPushButton::clicked, this, &PhotoDialog::putBack);
     return row;
 }
 

@@ -45,6 +45,7 @@ TissuePresetButton::TissuePresetButton(Document& document, Selection& selection,
     setFocusPolicy(Qt::TabFocus);
     auto* menu = new QMenu(this);
     menu->setToolTipsVisible(true);
+    menu->setObjectName(QStringLiteral("presets"));
     setMenu(menu);
     connect(menu, &QMenu::aboutToShow, this, &TissuePresetButton::fill);
     // While the menu is open, nobody tells the button that the mouse has left it.

@@ -13,6 +13,7 @@
 #include <QPlainTextEdit>
 #include <QScreen>
 #include <QTest>
+#include <QWheelEvent>
 
 #include <thread>
 
@@ -83,6 +84,19 @@ TEST(ImportDialog, ShowsTheSizeOfWhatIsKept) {
         EXPECT_FALSE(choice->accessibleName().isEmpty());
     for (const auto* field : shown.dialog.findChildren<NumberField*>())
         EXPECT_FALSE(field->accessibleName().isEmpty());
+}
+
+TEST(ImportDialog, TheWheelScrollsPastItsChoices) {
+    Shown shown(threeParts());
+    shown.activate();
+    shown.dialog.setFocus();
+    for (auto* choice : shown.dialog.findChildren<QComboBox*>()) {
+        const int before = choice->currentIndex();
+        QWheelEvent turned({5, 5}, choice->mapToGlobal(QPoint(5, 5)), {}, {0, -120}, Qt::NoButton,
+                           Qt::NoModifier, Qt::NoScrollPhase, false);
+        QApplication::sendEvent(choice, &turned);
+        EXPECT_EQ(choice->currentIndex(), before) << choice->accessibleName().toStdString();
+    }
 }
 
 TEST(ImportDialog, DoubtsASizeNoOrganHasWithoutAJump) {

@@ -53,6 +53,14 @@ protected:
 
 } // namespace
 
+TEST_F(PaintingTest, TheHintSaysWhatADragDoes) {
+    EXPECT_TRUE(window->view().hint().startsWith("Drag over the organ to erase the photo there"));
+    choose(BrushKind::Restore);
+    EXPECT_TRUE(window->view().hint().startsWith("Drag over the organ to bring back what was erased"));
+    window->windowActions().addPaint->trigger();
+    EXPECT_TRUE(window->view().hint().startsWith("Drag over the organ to paint"));
+}
+
 TEST_F(PaintingTest, ADragIsOneStrokeAndOneStep) {
     const int steps = window->document().undoStack()->count();
     stroke();

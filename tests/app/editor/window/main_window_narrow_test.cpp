@@ -9,12 +9,14 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLayout>
 #include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 
+#include <algorithm>
 #include <fstream>
 
 using namespace esm;
@@ -49,7 +51,7 @@ protected:
         Tradeoff measured;
         measured.reference.stepping = {Integrator::Rk4, 1e-5, Precision::Double};
         measured.runs = {{{Integrator::Split2, 0.01, Precision::Double}, 170, true, 0.02, false, 0.1, {}},
-                         {{Integrator::Split, 0.02, Precision::Double}, 170, true, 0.2, false, 1e-5, {}}};
+                         {{Integrator::Split, 0.02, Precision::Double}, 170, true, 0.2, true, 2.1e-6, {}}};
         window->document().edit("measure", [&](Project& edited) {
             edited.accuracy = std::make_shared<const MeasuredAccuracy>(
                 measuredAccuracy(measuredOrgan(edited), detailOf(*edited.network), measured));
@@ -200,6 +202,42 @@ TEST_F(NarrowTest, WindowsBesideTheOrganHaveRoom) {
         tool->click();
         expectRoomForWindow("photoDialog");
     }
+}
+
+TEST_F(NarrowTest, NoticesAreWideAndLeaveTheChoicesOfTheView) {
+    window->windowActions().firstSteps->trigger();
+    window->windowActions().cut->trigger();
+    for (const QSize& size : {smallRoom, QSize(1440, 860)}) {
+        window->resize(size);
+        ESM_EVENTUALLY(window->size() == size);
+        settle();
+        const auto notices = window->view().findChildren<QWidget*>("viewNotice");
+        const auto shown = std::find_if(notices.begin(), notices.end(),
+                                        [](const QWidget* notice) { return notice->isVisible(); });
+        ASSERT_NE(shown, notices.end());
+        EXPECT_GE((*shown)->width(), 320);
+        EXPECT_LE((*shown)->height(), 100);
+        const auto* choices = child<QWidget>(size == smallRoom ? "showButton" : "viewBar");
+        const QRect inView(choices->mapTo(&window->view(), QPoint()), choices->size());
+        EXPECT_FALSE((*shown)->geometry().intersects(inView));
+        for (const auto* button : (*shown)->findChildren<QAbstractButton*>())
+            EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
+    }
+}
+
+TEST_F(NarrowTest, TheOptionsOfAToolComeInSight) {
+    child<QDockWidget>("Fuzzy system")->raise();
+    settle();
+    take("distance");
+    auto* length = child<QWidget>("trueLength");
+    ESM_EVENTUALLY(length->visibleRegion().boundingRect() == length->rect());
+}
+
+TEST_F(NarrowTest, ToolsKeepTheirKeysWhereThePanelsMakeRoom) {
+    addPhoto();
+    child<QWidget>("photoList")->setFocus();
+    take("landmarks");
+    EXPECT_TRUE(window->view().hasFocus());
 }
 
 TEST_F(NarrowTest, QuestionsHaveRoom) {
