@@ -3,8 +3,8 @@
 #include "app/editor/window/shortcuts.h"
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QScrollArea>
-#include <QTimer>
 
 #include <algorithm>
 #include <utility>
@@ -13,12 +13,14 @@ namespace esm {
 
 namespace {
 
-/// In front of the panels that lie in the same place, and scrolled to once it has its room.
+/// In front of the panels that lie in the same place, and scrolled to.
 void bringIntoSight(QWidget& options) {
     for (QWidget* around = options.parentWidget(); around; around = around->parentWidget()) {
         if (auto* dock = qobject_cast<QDockWidget*>(around)) dock->raise();
-        if (auto* column = qobject_cast<QScrollArea*>(around))
-            QTimer::singleShot(0, &options, [column, &options] { column->ensureWidgetVisible(&options); });
+        auto* column = qobject_cast<QScrollArea*>(around);
+        if (!column) continue;
+        column->widget()->layout()->activate();
+        column->ensureWidgetVisible(&options);
     }
 }
 
