@@ -11,9 +11,11 @@ inline QLabel* quietLabel(const QString& text, QWidget* parent, QWidget* buddy =
     auto* label = new QLabel(text, parent);
     label->setProperty("quiet", true);
     label->setBuddy(buddy);
-    // An underlined letter is drawn by itself, and the rest a pixel or two further right than it was
-    // measured.
-    if (buddy) label->setContentsMargins(0, 0, 2, 0);
+    if (!buddy) return label;
+    // The underlined letter is drawn by itself, without the kerning that the whole text is measured with.
+    QFont font = label->font();
+    font.setKerning(false);
+    label->setFont(font);
     return label;
 }
 

@@ -28,7 +28,7 @@ QLabel* wrapped(const char* name, int lines, QWidget* parent) {
     label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->ensurePolished();
     // The room for it is kept, so that nothing moves.
-    label->setMinimumHeight(lines * label->fontMetrics().lineSpacing());
+    label->setMinimumHeight(lines * label->fontMetrics().lineSpacing() + 2);
     return label;
 }
 

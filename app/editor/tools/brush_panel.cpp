@@ -176,9 +176,8 @@ void BrushPanel::showColour(const std::array<std::uint8_t, 3>& colour) {
 QString BrushPanel::remark() const {
     if (!m_painting.layer()) return {};
     if (m_painting.layer()->photo)
-        return tr("A photo is erased and restored. Colours are laid on a paint layer, which the brush beside "
-                  "“+ add” "
-                  "adds.");
+        return tr("A photo is erased and restored. Colours are laid on a paint layer: the brush beside "
+                  "“+ add” adds one.");
     const BrushKind kind = m_painting.brush().kind;
     if (!copies(kind)) return {};
     if (!m_painting.source()) return tr("Ctrl and a click on the organ say where it takes its colours.");

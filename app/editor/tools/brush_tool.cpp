@@ -19,6 +19,14 @@ std::optional<double> pressureBetween(std::optional<double> from, std::optional<
     return from && to ? *from + share * (*to - *from) : to;
 }
 
+/// Nothing of a brush that paints.
+QString eraserUse(BrushKind kind, bool isPhoto) {
+    if (kind == BrushKind::Restore) return BrushTool::tr("Drag over the organ to bring back what was erased");
+    if (kind != BrushKind::Erase) return {};
+    return isPhoto ? BrushTool::tr("Drag over the organ to erase the photo there")
+                   : BrushTool::tr("Drag over the organ to erase the paint there");
+}
+
 std::optional<PickedPoint> surfaceUnder(const ToolMouse& mouse) {
     const auto& mesh = mouse.sight.scene.mesh;
     return mesh && !mesh->triangles.empty() ? mouse.picked() : std::nullopt;
@@ -36,15 +44,10 @@ QWidget* BrushTool::makeOptions() {
     return new BrushPanel(m_painting);
 }
 
-/// What of a layer is to be erased or brought back is no painting.
 QString BrushTool::hint() const {
-    const BrushKind kind = m_painting.brush().kind;
-    if (!m_painting.layer() || (kind != BrushKind::Erase && kind != BrushKind::Restore)) return {};
-    const bool isPhoto = m_painting.layer()->photo != nullptr;
-    return (kind == BrushKind::Erase ? (isPhoto ? tr("Drag over the organ to erase the photo there")
-                                                : tr("Drag over the organ to erase the paint there"))
-                                     : tr("Drag over the organ to bring back what was erased")) +
-           tr(" · [ and ] make the brush smaller and larger · the right button turns the view");
+    const TextureLayer* layer = m_painting.layer();
+    const QString use = layer ? eraserUse(m_painting.brush().kind, layer->photo != nullptr) : QString();
+    return use.isEmpty() ? use : use + tr(" · [ and ] size the brush · Esc drops the stroke");
 }
 
 Hold BrushTool::press(const ToolMouse& mouse) {

@@ -4,6 +4,7 @@
 
 #include <QTest>
 #include <QToolTip>
+#include <qwt_scale_draw.h>
 
 using namespace esm;
 
@@ -35,6 +36,14 @@ protected:
 
     CurveChart m_chart;
 };
+
+TEST_F(CurveChartTest, NumbersFollowTheTheme) {
+    QPalette theme = m_chart.palette();
+    theme.setColor(QPalette::PlaceholderText, QColor(1, 2, 3));
+    m_chart.setPalette(theme);
+    for (const int axis : {int(QwtPlot::xBottom), int(QwtPlot::yLeft)})
+        EXPECT_EQ(m_chart.axisScaleDraw(axis)->label(1).color(), QColor(1, 2, 3));
+}
 
 TEST_F(CurveChartTest, EveryCurveHasRoomAndRisesToTheUpperRight) {
     drawTwo();

@@ -28,17 +28,16 @@ QString methodText(Integrator integrator) {
     return QObject::tr(traitsOf(integrator).sentence);
 }
 
-QString figuresText(double realTimeFactor, double error) {
-    return QObject::tr("%1× real time, %2 % error")
+QString figuresText(double realTimeFactor, double error, bool isErrorBound) {
+    return (isErrorBound ? QObject::tr("%1× real time\n≤ %2 % error")
+                         : QObject::tr("%1× real time\n%2 % error"))
         .arg(numberText(realTimeFactor, 2), numberText(100 * error, 2));
 }
 
 QString runText(const TradeoffRun& run) {
     QString text = steppingText(run.stepping);
     if (run.coarser) text = QObject::tr("%1, %2 nodes").arg(text, countText(run.nodes));
-    return text + '\n' + QObject::tr("%1× real time").arg(numberText(run.realTimeFactor(), 2)) + '\n' +
-           (run.isErrorBound ? QObject::tr("≤ %1 % error") : QObject::tr("%1 % error"))
-               .arg(numberText(100 * run.error, 2));
+    return text + '\n' + figuresText(run.realTimeFactor(), run.error, run.isErrorBound);
 }
 
 } // namespace esm

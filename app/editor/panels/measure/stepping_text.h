@@ -21,10 +21,12 @@ QString wayText(Integrator integrator, double timeStep);
 /// What a stepping method does, in plain words.
 QString methodText(Integrator integrator);
 
-/// "12× real time, 0.4 % error". @param error a part of the motion
-QString figuresText(double realTimeFactor, double error);
+/// "12× real time" and, in a second line, "0.4 % error".
+/// @param error a part of the motion
+/// @param isErrorBound the error is that or less
+QString figuresText(double realTimeFactor, double error, bool isErrorBound = false);
 
-/// Of a run its method, step and figures, in three lines, with the number of nodes where they are fewer than
+/// Of a run its method, step and figures, in four lines, with the number of nodes where they are fewer than
 /// the organ's.
 QString runText(const TradeoffRun& run);
 

@@ -136,7 +136,6 @@ void ProjectorPanel::layOutSize() {
     m_keepProportions->setAccessibleName(tr("Keep proportions"));
     m_keepProportions->setCheckable(true);
     m_keepProportions->setChecked(true);
-    m_keepProportions->setProperty("iconOnly", true);
     auto* row = new QHBoxLayout(m_size);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(m_sizeRows, 1);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <QAbstractItemView>
+#include <QDialogButtonBox>
 #include <QTest>
 #include <QWindow>
 
@@ -176,6 +177,19 @@ TEST(InsideDialog, SaysWhereTheLatticePassesOverACrossing) {
     shown.type("1");
     ESM_EVENTUALLY(shown.text("insideRefusal").contains("choose a spacing of"));
     EXPECT_FALSE(shown.mayFill());
+}
+
+TEST(InsideDialog, EnterOnTheWayToFillThrowsNothingAway) {
+    ShownInside shown(ball());
+    ESM_EVENTUALLY(shown.mayFill());
+    shown.type("4");
+    ASSERT_FALSE(shown.mayFill()) << "the inside is being made";
+    auto* cancel = shown.dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel);
+    cancel->setFocus();
+    QTest::keyClick(cancel, Qt::Key_Return);
+    EXPECT_TRUE(shown.dialog.isVisible());
+    QTest::keyClick(cancel, Qt::Key_Space);
+    EXPECT_FALSE(shown.dialog.isVisible());
 }
 
 TEST(InsideDialog, EscapeClosesItsOpenListFirst) {
