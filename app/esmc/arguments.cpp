@@ -1,6 +1,7 @@
 #include "app/esmc/arguments.h"
 
 #include "app/esmc/report.h"
+#include "core/exchange/charts/chart_file.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/simulators/exporters.h"
 #include "core/support/angles.h"
@@ -195,6 +196,13 @@ std::string endingProblem(const std::string& file, const std::string& ending) {
 
 CLI::Validator writtenAs(const std::string& ending) {
     return CLI::Validator([ending](const std::string& file) { return endingProblem(file, ending); }, "");
+}
+
+CLI::Validator writtenAsChart() {
+    const auto check = [](const std::string& file) -> std::string {
+        return isChartFile(file) ? "" : "'" + file + "' ends neither in .svg nor in .png";
+    };
+    return CLI::Validator(check, "");
 }
 
 CLI::Validator namedFolder() {

@@ -67,6 +67,8 @@ CLI::Validator wholeNumber();
 CLI::Validator writtenAs(const std::string& ending);
 /// What that check says; empty when the file may be written.
 std::string endingProblem(const std::string& file, const std::string& ending);
+/// The same for a chart, which may be of two kinds.
+CLI::Validator writtenAsChart();
 /// A check for a folder to write to, which `-` does not name.
 CLI::Validator namedFolder();
 

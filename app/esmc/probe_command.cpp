@@ -23,13 +23,6 @@ struct ProbeOptions {
 
 using TestSettings = std::variant<ProbeSettings, StripSettings>;
 
-CLI::Validator chartEnding() {
-    const auto check = [](const std::string& file) -> std::string {
-        return isChartFile(file) ? "" : "'" + file + "' ends neither in .svg nor in .png";
-    };
-    return CLI::Validator(check, "");
-}
-
 void declareFinger(CLI::App& command, ProbeOptions& options) {
     command.add_option("--direction", options.direction,
                        "Of the finger, into the organ: \"x y z\" (without: across its surface)");
@@ -73,7 +66,7 @@ void declareProbe(CLI::App& command, ProbeOptions& options) {
     command.add_option("--with", options.other, "Another project or package, to test at the same place");
     command.add_option("--csv", options.table, "Table of the curves to write (.csv)")
         ->check(writtenAs(".csv"));
-    command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(chartEnding());
+    command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(writtenAsChart());
 }
 
 std::optional<Eigen::Vector3d> threeNumbers(const std::string& text, const std::string& option) {

@@ -30,13 +30,6 @@ struct TradeoffCommandOptions {
     Wish saved = Wish::MaxError;
 };
 
-CLI::Validator chartEnding() {
-    const auto check = [](const std::string& file) -> std::string {
-        return isChartFile(file) ? "" : "'" + file + "' ends neither in .svg nor in .png";
-    };
-    return CLI::Validator(check, "");
-}
-
 void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
     command.add_option("model", options.model, "Project or model package")->required();
     command.add_option("--scene", options.scene, "Scene in place of the project's own (.json)");
@@ -48,7 +41,7 @@ void declareTradeoff(CLI::App& command, TradeoffCommandOptions& options) {
     command
         .add_option("--max-seconds", options.mostSeconds, "What would compute for longer is left out, s (10)")
         ->check(positiveNumber());
-    command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(chartEnding());
+    command.add_option("--plot", options.plot, "Chart to draw (.svg or .png)")->check(writtenAsChart());
     command.add_option("--csv", options.table, "Table of all runs to write (.csv)")->check(writtenAs(".csv"));
     addDampingOption(command, options.damping);
     command

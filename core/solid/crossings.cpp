@@ -40,7 +40,7 @@ struct JoinedSurface {
 
 // Shells of an organ may face either way, and only as bodies do they face away from the tissue, so that
 // winding numbers tell. Bodies also cross each other, which has to be narrow for both of them.
-JoinedSurface joined(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings) {
+JoinedSurface joinedSurface(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings) {
     JoinedSurface result;
     TriangleMesh& mesh = result.mesh;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -153,7 +153,7 @@ private:
 // any point can be taken for inside or outside wrongly.
 std::vector<Crossing> crossingsOf(const std::vector<ClosedBody>& bodies, const std::vector<double>& spacings,
                                   const Progress& progress) {
-    const JoinedSurface surface = joined(bodies, spacings);
+    const JoinedSurface surface = joinedSurface(bodies, spacings);
     ProgressParts parts(progress);
     CrossingFinder finder(surface, parts.next(0.3));
     finder.findMisplaced(parts.rest());

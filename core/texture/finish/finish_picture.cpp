@@ -33,7 +33,7 @@ double diagonalOf(const Image& picture) {
     return std::hypot(picture.width, picture.height);
 }
 
-std::uint8_t rounded(double share) {
+std::uint8_t byteOf(double share) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
 }
 
@@ -123,11 +123,11 @@ bool hasDetailIn(const Image& shown, int left, int top, int width) {
 } // namespace
 
 FinishColour finishColour(const SurfaceFinish& finish) {
-    return {rounded(finish.wetness), rounded(finish.roughness), noHeight};
+    return {byteOf(finish.wetness), byteOf(finish.roughness), noHeight};
 }
 
 std::vector<std::uint8_t> filmOf(const Image& photo, const PhotoPreparation& preparation) {
-    const cv::Mat1b film = inSizeOf(photo, filmAround(photo, preparation), rounded);
+    const cv::Mat1b film = inSizeOf(photo, filmAround(photo, preparation), byteOf);
     return {film.begin(), film.end()};
 }
 
@@ -152,8 +152,8 @@ Image finishPicture(const Image& shown, const FilmAndHeights& found, const Layer
         const double wet = filmScale > 0 ? filmScale * (*found.film)[i] : 0;
         const double height = heightScale > 0 ? heightScale * (*found.heights)[i] : 0;
         std::uint8_t* pixel = &picture.pixels[4 * i];
-        pixel[0] = rounded(own.wetness + (1 - own.wetness) * wet);
-        pixel[1] = rounded(own.roughness * (1 - smoothUnderFilm * wet));
+        pixel[0] = byteOf(own.wetness + (1 - own.wetness) * wet);
+        pixel[1] = byteOf(own.roughness * (1 - smoothUnderFilm * wet));
         pixel[2] = static_cast<std::uint8_t>(noHeight + std::lround(height));
         pixel[3] = shown.pixels[4 * i + 3];
     }
