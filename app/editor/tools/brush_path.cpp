@@ -8,7 +8,11 @@ namespace esm {
 
 namespace {
 
+/// The cosine of the sharpest turn that is still part of a bend.
+constexpr double leastStraightness = 0.5;
+
 struct Seen {
+    double share; ///< of the way
     QPointF place;
     std::optional<BrushPoint> point;
 };
@@ -17,30 +21,32 @@ struct Seen {
 /// few places of a fast stroke, and between two of them the surface may bend or end.
 class WayFinder {
 public:
-    WayFinder(const Sight& sight, double spacing) : m_sight(sight), m_spacing(spacing) {}
+    WayFinder(const Sight& sight, const MouseWay& way, double spacing)
+        : m_sight(sight), m_way(way), m_spacing(spacing) {}
 
-    std::vector<WayPoint> along(const QPointF& from, const QPointF& to) {
+    std::vector<WayPoint> points() {
         m_points.clear();
-        m_from = from;
-        m_length = distance(from, to);
-        refine(at(from), at(to));
+        refine(at(0), at(1));
         return std::move(m_points);
     }
 
 private:
-    Seen at(const QPointF& place) const { return {place, brushPointAt(m_sight, place)}; }
+    Seen at(double share) const {
+        const QPointF place = m_way.at(share);
+        return {share, place, brushPointAt(m_sight, place)};
+    }
 
     void refine(const Seen& from, const Seen& to) {
         const bool areSeen = from.point && to.point;
         const double way = areSeen ? (from.point->place - to.point->place).norm() : 0;
         const bool areClose = areSeen && way <= m_spacing;
         if (!areClose && distance(from.place, to.place) > 1) {
-            const Seen between = at((from.place + to.place) / 2);
+            const Seen between = at((from.share + to.share) / 2);
             refine(from, between);
             return refine(between, to);
         }
-        if (!areClose && isEdge(from, to, way)) m_points.push_back({std::nullopt, shareAt(from.place)});
-        m_points.push_back({to.point, shareAt(to.place)});
+        if (!areClose && isEdge(from, to, way)) m_points.push_back({std::nullopt, from.share});
+        m_points.push_back({to.point, to.share});
     }
 
     /// Surface that is seen at a slant takes more than the spacing in a pixel too, though not much more.
@@ -49,18 +55,32 @@ private:
         return from.point && to.point && way > mostOfOneSurface * m_spacing;
     }
 
-    double shareAt(const QPointF& place) const {
-        return m_length > 0 ? distance(m_from, place) / m_length : 1;
-    }
-
     const Sight& m_sight;
+    const MouseWay& m_way;
     double m_spacing;
-    QPointF m_from;
-    double m_length = 0; ///< pixels
     std::vector<WayPoint> m_points;
 };
 
 } // namespace
+
+void MouseWay::goTo(const QPointF& place) {
+    if (m_from != m_to) m_before = m_from;
+    m_from = m_to;
+    m_to = place;
+}
+
+QPointF MouseWay::at(double share) const {
+    const QPointF ahead = m_to - m_from;
+    const QPointF straight = m_from + share * ahead;
+    if (!m_before || ahead.isNull()) return straight;
+    const QPointF behind = m_from - *m_before;
+    const double lengthAhead = distance(m_from, m_to), lengthBehind = distance(*m_before, m_from);
+    if (QPointF::dotProduct(ahead, behind) < leastStraightness * lengthAhead * lengthBehind) return straight;
+    // The share of the place before, so that the parabola is passed with even speed.
+    const double before = -lengthBehind / lengthAhead;
+    const QPointF bend = (ahead - behind / -before) / (1 - before);
+    return straight - share * (1 - share) * bend;
+}
 
 std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place) {
     const auto picked = sight.pickAt(place);
@@ -68,9 +88,8 @@ std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place)
     return BrushPoint{picked->spot.point, picked->normal};
 }
 
-std::vector<WayPoint> brushPointsAlong(const Sight& sight, const QPointF& from, const QPointF& to,
-                                       double spacing) {
-    return WayFinder(sight, spacing).along(from, to);
+std::vector<WayPoint> brushPointsAlong(const Sight& sight, const MouseWay& way, double spacing) {
+    return WayFinder(sight, way, spacing).points();
 }
 
 bool isNearSurface(const Sight& sight, const QPointF& place) {

@@ -1,7 +1,6 @@
 #include "app/editor/tools/brush_tool.h"
 
 #include "app/editor/tools/brush_panel.h"
-#include "app/editor/tools/brush_path.h"
 #include "widgets/view/brush_outline.h"
 
 #include <algorithm>
@@ -58,7 +57,7 @@ Hold BrushTool::press(const ToolMouse& mouse) {
         return Hold::Stroke;
     }
     if (!point && !isNearSurface(mouse.sight, mouse.place)) return Hold::Nothing;
-    m_down = Down{mouse.place, mouse.pressure, point.has_value()};
+    m_down = Down{MouseWay(mouse.place), mouse.pressure, point.has_value()};
     if (point) m_painting.begin({*point, mouse.pressure});
     return Hold::Stroke;
 }
@@ -69,14 +68,13 @@ void BrushTool::move(const ToolMouse& mouse) {
     const double spacing =
         strokeSpacing * m_painting.sharesAt(mouse.pressure).radius * m_painting.brush().radius;
     std::vector<std::optional<BrushTouch>> touches;
-    for (const auto& [point, share] : brushPointsAlong(mouse.sight, m_down->place, mouse.place, spacing)) {
+    m_down->way.goTo(mouse.place);
+    for (const auto& [point, share] : brushPointsAlong(mouse.sight, m_down->way, spacing)) {
         const auto pressure = pressureBetween(m_down->pressure, mouse.pressure, share);
         touches.push_back(point ? std::optional(BrushTouch{*point, pressure}) : std::nullopt);
     }
     goOn(touches);
-    if (!m_down) return;
-    m_down->place = mouse.place;
-    m_down->pressure = mouse.pressure;
+    if (m_down) m_down->pressure = mouse.pressure;
 }
 
 /// One that came down beside the organ begins where it reaches the surface.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/tools/brush_path.h"
 #include "app/editor/tools/painting.h"
 #include "app/editor/tools/tool_context.h"
 #include "widgets/view/view_tool.h"
@@ -27,8 +28,8 @@ public:
 private:
     /// Of the brush, while it is down.
     struct Down {
-        QPointF place;                  ///< pixels, of the mouse as it was last
-        std::optional<double> pressure; ///< likewise, of a pen
+        MouseWay way;
+        std::optional<double> pressure; ///< of a pen as it was last
         bool hasBegun;                  ///< it has been on the surface
     };
 

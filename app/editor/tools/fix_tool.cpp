@@ -1,6 +1,5 @@
 #include "app/editor/tools/fix_tool.h"
 
-#include "app/editor/tools/brush_path.h"
 #include "app/editor/tools/fix_panel.h"
 #include "core/authoring/fixed_nodes.h"
 #include "widgets/view/brush_outline.h"
@@ -49,7 +48,8 @@ Hold FixTool::press(const ToolMouse& mouse) {
     lookAt(mouse);
     if (!m_at && !isNearSurface(mouse.sight, mouse.place)) return Hold::Nothing;
     const bool frees = mouse.keys.testFlag(Qt::ControlModifier);
-    m_stroke = Stroke{frees ? Does::Free : Does::Fix, m_document.project().scene.fixed, mouse.place};
+    m_stroke =
+        Stroke{frees ? Does::Free : Does::Fix, m_document.project().scene.fixed, MouseWay(mouse.place)};
     move(mouse);
     return Hold::Stroke;
 }
@@ -57,8 +57,8 @@ Hold FixTool::press(const ToolMouse& mouse) {
 void FixTool::move(const ToolMouse& mouse) {
     lookAt(mouse);
     if (!m_stroke) return;
+    m_stroke->way.goTo(mouse.place);
     const std::vector<std::uint32_t> nodes = nodesTo(mouse);
-    m_stroke->place = mouse.place;
     const Does does = m_stroke->does;
     edit([&](Project& project) { does == Does::Fix ? fixNodes(project, nodes) : freeNodes(project, nodes); });
 }
@@ -74,9 +74,8 @@ std::vector<std::uint32_t> FixTool::nodesTo(const ToolMouse& mouse) const {
             nodes.push_back(node);
         path.clear();
     };
-    if (const auto from = brushPointAt(mouse.sight, m_stroke->place)) path.push_back(from->place);
-    for (const auto& [point, share] :
-         brushPointsAlong(mouse.sight, m_stroke->place, mouse.place, fixSpacing * m_radius)) {
+    if (const auto from = brushPointAt(mouse.sight, m_stroke->way.at(0))) path.push_back(from->place);
+    for (const auto& [point, share] : brushPointsAlong(mouse.sight, m_stroke->way, fixSpacing * m_radius)) {
         if (point)
             path.push_back(point->place);
         else

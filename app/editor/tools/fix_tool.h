@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/tools/brush_path.h"
 #include "app/editor/tools/tool_context.h"
 #include "widgets/view/view_tool.h"
 
@@ -33,7 +34,7 @@ private:
     struct Stroke {
         Does does;
         std::vector<NodeSelection> before; ///< that were fixed
-        QPointF place;                     ///< of the mouse, pixels
+        MouseWay way;
     };
 
     void followDocument(const Change& change);

@@ -119,6 +119,38 @@ TEST_F(PaintingTest, AFastStrokeHasNoHoles) {
         EXPECT_LE(std::abs(placeOf(point.place).y() - y), 2) << "it follows the mouse";
 }
 
+TEST_F(PaintingTest, AFastCircleHasNoCorners) {
+    constexpr int places = 10;
+    constexpr double radius = 60; // pixels
+    const auto onCircle = [&](int place) {
+        const double angle = 2 * M_PI * place / places;
+        return middle() + (radius * QPointF(std::cos(angle), std::sin(angle))).toPoint();
+    };
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, onCircle(0));
+    for (int place = 1; place < places; ++place)
+        move(onCircle(place));
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, onCircle(places - 1));
+    ASSERT_EQ(strokes().size(), 1U);
+    for (const BrushPoint& point : strokes()[0]->path) {
+        const QPointF place = placeOf(point.place), fromMiddle = place - middle();
+        const bool isOfFirstPiece = fromMiddle.y() > 0 && place.x() > onCircle(1).x();
+        EXPECT_NEAR(distance(place, middle()), radius, isOfFirstPiece ? 4 : 1.5);
+    }
+}
+
+TEST_F(PaintingTest, ASharpTurnStaysACorner) {
+    const QPoint corner = middle() + QPoint(60, 0);
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle() - QPoint(60, 0));
+    move(corner);
+    move(corner - QPoint(0, 50));
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, corner - QPoint(0, 50));
+    ASSERT_EQ(strokes().size(), 1U);
+    for (const BrushPoint& point : strokes()[0]->path) {
+        const QPointF fromCorner = placeOf(point.place) - corner;
+        EXPECT_LE(std::min(std::abs(fromCorner.x()), std::abs(fromCorner.y())), 1.5);
+    }
+}
+
 TEST_F(PaintingTest, WhereTheBrushLeavesTheOrganItPaintsNothing) {
     const QPoint outside = placeOf(Eigen::Vector3d(0, 0.2, 0));
     const int steps = window->document().undoStack()->count();
