@@ -27,12 +27,34 @@ Lab labRow(const Image& image, int y) {
     return row;
 }
 
-/// How much of a pixel is tissue, by its brightness: 0 where it is nearly black, as a field's outside and
-/// hollows that show no colour are, 1 from where colours can be told, and smooth between them.
-double tissueShare(const std::uint8_t* pixel) {
-    constexpr double black = 20, lit = 40; // brightest channel
-    const double brightest = std::max({pixel[0], pixel[1], pixel[2]});
-    return std::clamp((brightest - black) / (lit - black), 0.0, 1.0);
+std::uint8_t brightestChannel(const std::uint8_t* pixel) {
+    return std::max({pixel[0], pixel[1], pixel[2]});
+}
+
+/// The brightest channel of every pixel, without the noise of the camera: the median of what lies around it,
+/// which leaves the border of a field where it is.
+cv::Mat1b calmBrightness(const Image& photo) {
+    constexpr double shareOfDiagonal = 0.004;
+    cv::Mat1b brightness(photo.height, photo.width);
+    tbb::parallel_for(0, photo.height, [&](int y) {
+        for (int x = 0; x < photo.width; ++x)
+            brightness(y, x) = brightestChannel(photo.at(x, y));
+    });
+    const double reach = shareOfDiagonal * std::hypot(photo.width, photo.height);
+    cv::medianBlur(brightness, brightness, 2 * std::max(1, static_cast<int>(std::lround(reach))) + 1);
+    return brightness;
+}
+
+/// 0 up to one brightness, 1 from the other, and smooth between them.
+double rise(std::uint8_t brightness, double from, double to) {
+    return std::clamp((brightness - from) / (to - from), 0.0, 1.0);
+}
+
+/// How much of a pixel is tissue: 0 where its surroundings are nearly black, as a field's outside and hollows
+/// that show no colour are, 1 from where colours can be told. In a dark photo the noise of single pixels
+/// would go all the way from the one to the other, so that only what is black itself counts by itself.
+double tissueShare(const std::uint8_t* pixel, std::uint8_t around) {
+    return std::min(rise(around, 20, 40), rise(brightestChannel(pixel), 12, 20));
 }
 
 /// Weighted sums from which means and spreads follow. Rows are summed by themselves and added up in their
@@ -63,12 +85,13 @@ struct ColourSums {
 };
 
 /// Both, over what is seen of both in one row.
-std::array<ColourSums, 2> sumsOfRow(const Image& photo, const Image& beneath, int y) {
+std::array<ColourSums, 2> sumsOfRow(const Image& photo, const Image& beneath, const cv::Mat1b& brightness,
+                                    int y) {
     const Lab above = labRow(photo, y), below = labRow(beneath, y);
     std::array<ColourSums, 2> sums;
     for (int x = 0; x < photo.width; ++x) {
-        const double share =
-            tissueShare(photo.at(x, y)) * photo.at(x, y)[3] * beneath.at(x, y)[3] / (255.0 * 255.0);
+        const double share = tissueShare(photo.at(x, y), brightness(y, x)) * photo.at(x, y)[3] *
+                             beneath.at(x, y)[3] / (255.0 * 255.0);
         if (!(share > 0)) continue;
         sums[0].add(above.at<cv::Vec3f>(0, x), share);
         sums[1].add(below.at<cv::Vec3f>(0, x), share);
@@ -84,9 +107,11 @@ std::array<ColourSums, 2> sumsOfRow(const Image& photo, const Image& beneath, in
 std::optional<ColourMatch> matchColours(const Image& photo, const Image& beneath) {
     constexpr double fewestPixels = 100, flat = 0.5; // a spread below which there is nothing to scale
     if (photo.empty() || photo.width != beneath.width || photo.height != beneath.height) return std::nullopt;
+    const cv::Mat1b brightness = calmBrightness(photo);
     std::vector<std::array<ColourSums, 2>> rows(static_cast<std::size_t>(photo.height));
-    tbb::parallel_for(0, photo.height,
-                      [&](int y) { rows[static_cast<std::size_t>(y)] = sumsOfRow(photo, beneath, y); });
+    tbb::parallel_for(0, photo.height, [&](int y) {
+        rows[static_cast<std::size_t>(y)] = sumsOfRow(photo, beneath, brightness, y);
+    });
     std::array<ColourSums, 2> sums;
     for (const auto& row : rows)
         for (std::size_t picture = 0; picture < 2; ++picture)
@@ -105,6 +130,7 @@ std::optional<ColourMatch> matchColours(const Image& photo, const Image& beneath
 void applyMatch(Image& photo, const ColourMatch& match) {
     const cv::Scalar scale(match.scale[0], match.scale[1], match.scale[2]);
     const cv::Scalar offset(match.offset[0], match.offset[1], match.offset[2]);
+    const cv::Mat1b brightness = calmBrightness(photo);
     tbb::parallel_for(0, photo.height, [&](int y) {
         Lab row = labRow(photo, y);
         cv::multiply(row, scale, row);
@@ -112,7 +138,7 @@ void applyMatch(Image& photo, const ColourMatch& match) {
         cv::cvtColor(row, row, cv::COLOR_Lab2RGB);
         for (int x = 0; x < photo.width; ++x) {
             std::uint8_t* pixel = photo.at(x, y);
-            const double share = pixel[3] > 0 ? tissueShare(pixel) : 0;
+            const double share = pixel[3] > 0 ? tissueShare(pixel, brightness(y, x)) : 0;
             for (int channel = 0; channel < 3; ++channel) {
                 const double matched = 255 * std::clamp(row.at<cv::Vec3f>(0, x)[channel], 0.0F, 1.0F);
                 pixel[channel] = static_cast<std::uint8_t>(

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace esm;
 
@@ -78,6 +79,30 @@ TEST(ColourMatch, StaysInItsLimits) {
     const auto flat = matchColours(speckled({128, 128, 128}, 0), speckled({200, 100, 90}, 30));
     ASSERT_TRUE(flat);
     EXPECT_EQ(flat->scale, (std::array<double, 3>{1, 1, 1}));
+}
+
+/// The camera's noise there lies on both sides of what counts as nearly black.
+TEST(ColourMatch, DoesNotSpeckleADarkPhoto) {
+    std::mt19937 random(1);
+    std::normal_distribution<> noise(0, 4);
+    const auto darkPhoto = [&] {
+        Image image{400, 300, {}};
+        for (int i = 0; i < 400 * 300; ++i) {
+            const double level = noise(random);
+            for (const double channel : {30, 24, 22})
+                image.pixels.push_back(static_cast<std::uint8_t>(std::lround(channel + level)));
+            image.pixels.push_back(255);
+        }
+        return image;
+    };
+    Image photo = darkPhoto();
+    const auto match = matchColours(photo, Image{400, 300, std::vector<std::uint8_t>(4 * 400 * 300, 150)});
+    ASSERT_TRUE(match);
+    const auto [mean, spread] = meanAndSpread(photo, 0);
+    applyMatch(photo, *match);
+    const auto [matchedMean, matchedSpread] = meanAndSpread(photo, 0);
+    EXPECT_GT(matchedMean, 2 * mean);
+    EXPECT_LT(matchedSpread / matchedMean, spread / mean) << "the noise is not stretched";
 }
 
 TEST(ColourMatch, NeitherCountsNorTintsBlackCorners) {
