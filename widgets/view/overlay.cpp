@@ -104,13 +104,15 @@ QRectF textBox(const QPainter& painter, const QString& text, double width) {
                                               Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-/// As many parts of a hint as have room, the first at least.
+/// As many parts of a hint as have room, the first at least, and of that a line.
 QString fittingHint(const QPainter& painter, const QString& hint, const QSizeF& room) {
     const QString between = QStringLiteral(" · ");
     QStringList parts = hint.split(between);
     while (parts.size() > 1 && textBox(painter, parts.join(between), room.width()).height() > room.height())
         parts.removeLast();
-    return parts.join(between);
+    const QString fitting = parts.join(between);
+    if (textBox(painter, fitting, room.width()).height() <= room.height()) return fitting;
+    return painter.fontMetrics().elidedText(fitting, Qt::ElideRight, int(room.width()));
 }
 
 QPolygonF diamondIn(const QRectF& box) {

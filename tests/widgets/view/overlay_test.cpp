@@ -73,6 +73,7 @@ TEST(Overlay, AHintOfManyPartsKeepsTheFirstInALowView) {
     EXPECT_EQ(hintHeight(400, all, 150), hintHeight(400, first, 150));
     EXPECT_GT(hintHeight(400, all, 400), hintHeight(400, first, 400));
     EXPECT_EQ(hintWidth(900, all, 80), hintWidth(900, all, 400)) << "one line always has room";
+    EXPECT_EQ(hintHeight(220, all, 120), hintHeight(900, "short", 120)) << "and more is not to be had there";
 }
 
 TEST(Overlay, AHintStandsAboveTheLegendWhereLittleIsLeftBesideIt) {
