@@ -20,7 +20,7 @@ std::vector<PressPoint> pressCurve(PressedTissue& tissue, double depth, int step
     const int all = steps * parts;
     for (int i = 1; i <= all; ++i) {
         reportProgress(progress, static_cast<double>(i - 1) / all);
-        tissue.settle(AtDepth{stride * i / parts});
+        tissue.settle(AtDepth{depth * i / all});
         if (i % parts == 0) curve.push_back({tissue.depth(), tissue.force()});
     }
     return curve;

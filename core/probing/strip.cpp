@@ -70,7 +70,7 @@ std::vector<StripPoint> stretchCurve(const CutStrip& strip, const StripSettings&
     double done = 0;
     StretchedTissue tissue(system, [&] { reportProgress(progress, done); });
     std::vector<StripPoint> curve;
-    const double stride = settings.stretch * settings.length / settings.steps;
+    const double whole = settings.stretch * settings.length, stride = whole / settings.steps;
     for (int i = 0; i <= settings.steps; ++i) {
         done = static_cast<double>(i) / (settings.steps + 1);
         tissue.settle(evenlyStretched(strip, tissue.positions(), settings.length, i == 0 ? 0 : stride));
@@ -78,7 +78,8 @@ std::vector<StripPoint> stretchCurve(const CutStrip& strip, const StripSettings&
         // The rest that balance leaves over is no force, nor is what it moves tissue by a strain.
         const bool isSlack =
             std::abs(force) <= tissue.leastForce() * static_cast<double>(strip.clamped[1].size());
-        curve.push_back({i * stride, isSlack ? 0 : gauge.strain(tissue.positions()), isSlack ? 0 : force});
+        curve.push_back({whole * i / settings.steps, isSlack ? 0 : gauge.strain(tissue.positions()),
+                         isSlack ? 0 : force});
     }
     return curve;
 }
