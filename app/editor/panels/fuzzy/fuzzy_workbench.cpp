@@ -30,14 +30,17 @@ QLabel* whatToDo() {
     return text;
 }
 
-/// The page in front says how much room it needs, not the tallest, nor one that was arranged for another
-/// width.
-void bringToFront(QStackedWidget& pages, int index) {
-    for (int i = 0; i < pages.count(); ++i) {
-        const auto policy = i == index ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-        pages.widget(i)->setSizePolicy(policy, policy);
-    }
-    pages.setCurrentIndex(index);
+/// Pages of which one is seen. It alone says how much room it needs: in a QStackedWidget the tallest does.
+QVBoxLayout* pagesIn(QWidget& room) {
+    auto* pages = new QVBoxLayout(&room);
+    pages->setContentsMargins(0, 0, 0, 0);
+    return pages;
+}
+
+void bringToFront(QLayout& pages, int index) {
+    for (int i = 0; i < pages.count(); ++i)
+        if (i != index) pages.itemAt(i)->widget()->hide();
+    if (index >= 0) pages.itemAt(index)->widget()->show();
 }
 
 constexpr QSize smallestWindow(720, 440), usualWindow(900, 620);
@@ -47,8 +50,10 @@ const QString geometryKey = QStringLiteral("fuzzyWindow");
 
 FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemReach& reach, QWidget* parent)
     : Section({}, parent), m_document(document), m_selection(selection), m_content(new QWidget(this)),
-      m_pages(new QStackedWidget(m_content)), m_tabs(new QTabBar), m_panels(new QStackedWidget),
-      m_elsewhere(new QWidget(this)) {
+      m_pages(pagesIn(*m_content)), m_tabs(new QTabBar), m_elsewhere(new QWidget(this)) {
+    QSizePolicy takesWhatIsLeft(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    takesWhatIsLeft.setVerticalStretch(1);
+    setSizePolicy(takesWhatIsLeft);
     m_tabs->setObjectName(QStringLiteral("workbenchTabs"));
     m_tabs->setAccessibleName(tr("Views of the fuzzy system"));
     m_tabs->setDrawBase(false);
@@ -61,12 +66,11 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemR
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(8);
     column->addWidget(m_tabs, 0, Qt::AlignLeft);
-    column->addWidget(m_panels, 1);
+    auto* panels = new QWidget;
+    m_panels = pagesIn(*panels);
+    column->addWidget(panels, 1);
     m_pages->addWidget(whatToDo());
     m_pages->addWidget(tabbed);
-    auto* whole = new QVBoxLayout(m_content);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(m_pages);
     body()->addWidget(m_content);
     body()->addWidget(m_elsewhere);
     m_elsewhere->hide();

@@ -6,7 +6,7 @@
 #include "widgets/inputs/section.h"
 
 #include <QAction>
-#include <QStackedWidget>
+#include <QLayout>
 #include <QTabBar>
 
 namespace esm {
@@ -36,9 +36,9 @@ private:
     Document& m_document;
     Selection& m_selection;
     QWidget* m_content;
-    QStackedWidget* m_pages; ///< what to do without a system, or the tabs
+    QLayout* m_pages; ///< what to do without a system, or the tabs
     QTabBar* m_tabs;
-    QStackedWidget* m_panels;
+    QLayout* m_panels;
     QWidget* m_elsewhere; ///< in the content's place while that is in the window
     QWidget* m_window = nullptr;
     QAction* m_windowAction = nullptr;

@@ -181,8 +181,9 @@ void TissuePanel::showUsers() {
 void TissuePanel::showSource() {
     const auto preset = presetInForce(m_document.project(), region());
     const QString source = preset ? QString::fromStdString(preset->source) : QString();
-    const QString whatFor = !preset || preset->system ? tr("source: %1") : tr("source of the tethers: %1");
-    m_source->setText(whatFor.arg(preset ? source : tr("set here, not from a publication")));
+    m_source->setText(!preset          ? tr("values set here, by no preset")
+                      : preset->system ? tr("source: %1").arg(source)
+                                       : tr("source of the tethers: %1").arg(source));
     m_source->setToolTip(preset ? QString::fromStdString(preset->title + ": ") + source
                                 : tr("The tissue is not, or no longer, as a preset has it"));
 }

@@ -9,7 +9,8 @@
 
 #include <QListWidget>
 #include <QPushButton>
-#include <QStackedWidget>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 
 using namespace esm;
@@ -74,6 +75,18 @@ TEST_F(FuzzyWorkbenchTest, SaysWhatToDoWithoutASystem) {
     EXPECT_FALSE(empty->isVisible());
     EXPECT_TRUE(tabs()->isVisible());
     EXPECT_EQ(settledHeight(window->findChild<FuzzyWorkbench*>()), height);
+}
+
+TEST_F(FuzzyWorkbenchTest, TheRulesNeedNoMoreRoomThanTheyTake) {
+    window->resize(1440, 868);
+    chooseTab("Domains");
+    chooseTab("Rules");
+    auto* workbench = window->findChild<FuzzyWorkbench*>();
+    auto* column = qobject_cast<QScrollArea*>(workbench->parentWidget()->parentWidget()->parentWidget());
+    ASSERT_TRUE(column);
+    column->parentWidget()->raise();
+    settledHeight(workbench);
+    EXPECT_EQ(column->verticalScrollBar()->maximum(), 0) << "the tabs behind may be taller";
 }
 
 TEST_F(FuzzyWorkbenchTest, LeavesTheMainWindowsKeysInForce) {
