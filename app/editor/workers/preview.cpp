@@ -93,18 +93,27 @@ void Preview::takePrepared() {
         outcome.answer->failure = outcome.failure;
     }
     send([&](Inbox& inbox) {
-        inbox.prepared = std::move(outcome.answer);
         inbox.arrived = outcome.number;
+        if (inbox.isHeldByFailure && outcome.answer->failure.empty()) {
+            inbox.isHeldByFailure = false;
+            inbox.playing = true;
+            inbox.reset = outcome.number;
+        }
+        inbox.prepared = std::move(outcome.answer);
     });
 }
 
 void Preview::setPlaying(bool playing) {
-    send([&](Inbox& inbox) { inbox.playing = playing; });
+    send([&](Inbox& inbox) {
+        inbox.playing = playing;
+        inbox.isHeldByFailure = false;
+    });
 }
 
 void Preview::togglePlaying() {
     send([this](Inbox& inbox) {
         inbox.playing = !inbox.playing;
+        inbox.isHeldByFailure = false;
         if (!m_status.failure.empty()) inbox.reset = inbox.asked;
     });
 }
@@ -113,6 +122,7 @@ void Preview::reset() {
     send([](Inbox& inbox) {
         inbox.reset = inbox.asked;
         inbox.playScene.reset();
+        if (std::exchange(inbox.isHeldByFailure, false)) inbox.playing = true;
     });
 }
 
@@ -262,12 +272,13 @@ bool Preview::advance(PreviewRun& run, const PreviewLoads& loads) {
     return goesOn;
 }
 
-/// A run that failed, or came to its scene's end, has to be started again by hand. What failed may go on by a
-/// project that is being prepared.
+/// A run that came to its scene's end has to be started again by hand. What failed goes on by a project that
+/// is being prepared, or by the next.
 void Preview::pauseWhatEnded(Inbox& inbox, bool isSceneOver) {
     const std::lock_guard lock(m_mutex);
     const bool changes = m_inbox.prepared || m_inbox.arrived != m_inbox.asked;
     if ((changes && !isSceneOver) || m_inbox.reset || m_inbox.playScene || m_inbox.record) return;
+    m_inbox.isHeldByFailure = m_inbox.playing && !isSceneOver;
     m_inbox.playing = false;
     inbox.isNew = true;
 }

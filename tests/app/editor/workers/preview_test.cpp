@@ -1,5 +1,6 @@
 #include "app/editor/workers/preview.h"
 
+#include "core/authoring/fluids.h"
 #include "tests/app/editor/workers/preview_projects.h"
 #include "tests/support/eventually.h"
 
@@ -72,6 +73,28 @@ TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
     ASSERT_TRUE(hasTakenAll(preview, refusedProject(), 2));
     EXPECT_FALSE(preview.status().playing);
     EXPECT_NE(preview.status().failure, "");
+}
+
+TEST(Preview, PlaysOnFromRestOnceWhatBurstBearsItsPressure) {
+    Project liver = makeSample("liver");
+    liver.scene.tethers.clear(); // which would bear a part of it
+    pressPart(liver, 0, 1e5);
+    Preview preview;
+    preview.setProject(liver);
+    preview.setPlaying(true);
+    ESM_EVENTUALLY(!preview.status().failure.empty() && !preview.status().playing);
+    preview.reset();
+    ESM_EVENTUALLY(preview.status().failure.empty() && preview.status().playing);
+    ESM_EVENTUALLY(!preview.status().failure.empty() && !preview.status().playing);
+    pressPart(liver, 0, 5);
+    preview.setProject(liver);
+    ESM_EVENTUALLY(preview.status().failure.empty() && preview.status().playing);
+    EXPECT_LT(preview.status().fluids.at(0).share, 2) << "it does not go on from where it burst";
+    preview.setPlaying(false);
+    ESM_EVENTUALLY(!preview.status().playing);
+    preview.reset();
+    ASSERT_TRUE(hasTakenAll(preview, liver, 3));
+    EXPECT_FALSE(preview.status().playing) << "who paused it himself starts it himself";
 }
 
 TEST(Preview, SaysWhatWentWrongOutsideTheSimulationAndLivesOn) {
