@@ -72,6 +72,7 @@ void ActionMaker::makeFileActions() {
     a.saveAs = make(tr("Save &as…"), QKeySequence("Ctrl+Shift+S"), tr("Save under another name"));
     a.exportPackage =
         make(tr("&Export…"), QKeySequence("Ctrl+E"), tr("Write a file for simulators and viewers"));
+    a.close = make(tr("&Close"), QKeySequence::Close, tr("Leave this organ for the start page"));
     a.quit = make(tr("&Quit"), QKeySequence::Quit, tr("Close the window"));
     for (const auto& name : sampleNames()) {
         QString title = QString::fromStdString(name);

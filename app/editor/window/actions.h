@@ -15,7 +15,7 @@ namespace esm {
 
 /// Everything the window can be asked to do. The window owns the actions; controllers connect to them.
 struct Actions {
-    QAction *open, *save, *saveAs, *import, *exportPackage, *quit;
+    QAction *open, *save, *saveAs, *import, *exportPackage, *close, *quit;
     QMenu* recent;                                         ///< filled by who knows the files
     std::vector<std::pair<std::string, QAction*>> samples; ///< by the sample's name
     QAction *undo, *redo, *history, *rename, *duplicateRegion, *removeRegion;

@@ -99,6 +99,9 @@ void FileController::connectActions(const Actions& actions) {
     connect(actions.save, &QAction::triggered, this, &FileController::save);
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
     connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
+    connect(actions.close, &QAction::triggered, this, [this] {
+        if (mayLeaveProject()) emit closed();
+    });
     m_recent = new RecentMenu(*actions.recent, this);
     connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
     for (const auto& sample : actions.samples) {

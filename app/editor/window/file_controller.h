@@ -45,6 +45,8 @@ public:
 
 signals:
     void message(const QString& text);
+    /// The organ may be left, and is to be.
+    void closed();
     /// A simulator can read this file now.
     void exported(const QString& file);
 

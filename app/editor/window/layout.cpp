@@ -21,7 +21,7 @@ void fillFileMenu(QMenu* file, const Actions& a) {
     file->addSeparator();
     file->addAction(a.exportPackage);
     file->addSeparator();
-    file->addAction(a.quit);
+    file->addActions({a.close, a.quit});
 }
 
 void fillViewMenu(QMenu* view, const Actions& a) {

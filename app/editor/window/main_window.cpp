@@ -240,6 +240,21 @@ void MainWindow::connectStart() {
     connect(m_files, &FileController::exported, m_firstSteps, &FirstSteps::noteHandover);
     connect(m_document, &Document::replaced, this, &MainWindow::showAsLeft);
     connect(m_document, &Document::changed, m_start, &StartController::leave);
+    // Behind the start page lies the organ that the window began with.
+    connect(m_files, &FileController::closed, this, [this, greeting = m_document->project()] {
+        m_document->replace(greeting, std::nullopt);
+        m_showsGreeting = true;
+        noteScene();
+        showStart();
+    });
+}
+
+void MainWindow::showStart() {
+    m_actions.fuzzyWindow->setChecked(false);
+    for (const QPointer<QDialog>& beside : {m_largePhoto, m_history, m_reference})
+        if (beside) beside->hide();
+    m_start->show();
+    m_preview->setPlaying(false);
 }
 
 void MainWindow::showAsLeft() {
@@ -302,8 +317,7 @@ void MainWindow::restore() {
 }
 
 void MainWindow::start(const std::vector<std::filesystem::path>& files) {
-    m_start->show();
-    m_preview->setPlaying(false);
+    showStart();
     QTimer::singleShot(0, this, [this, files] {
         offerLeftBehind(*m_journal);
         openFiles(files);

@@ -102,6 +102,7 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
                                          {"save", a.save},
                                          {"saveAs", a.saveAs},
                                          {"export", a.exportPackage},
+                                         {"close", a.close},
                                          {"quit", a.quit}});
     rows.addOne(ShortcutTexts::tr("Edit"), "undo", ShortcutTexts::tr("Undo"), a.undo);
     rows.addOne(ShortcutTexts::tr("Edit"), "redo", ShortcutTexts::tr("Redo"), a.redo);

@@ -5,6 +5,7 @@
 #include "widgets/inputs/number_text.h"
 
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QPainter>
 #include <QStyle>
 #include <QVariant>
@@ -87,12 +88,17 @@ StatusLine::StatusLine(QStatusBar& bar, PassingTime clock)
     m_message = new ElidedLabel(&bar);
     m_message->setObjectName(QStringLiteral("message"));
     bar.addWidget(m_message, 1);
-    m_stabilityCaption = new QLabel(tr("Stability"), &bar);
-    m_gauge = new StabilityGauge(&bar);
+    m_captionedGauge = new QWidget(&bar);
+    m_gauge = new StabilityGauge(m_captionedGauge);
+    auto* beside = new QHBoxLayout(m_captionedGauge);
+    beside->setContentsMargins(0, 0, 0, 0);
+    beside->setSpacing(spacing);
+    beside->addWidget(new QLabel(tr("Stability"), m_captionedGauge));
+    beside->addWidget(m_gauge);
     m_stability = new QLabel(&bar);
     m_stability->setMinimumWidth(m_stability->fontMetrics().horizontalAdvance(tr("safe up to 000 ms")) + 16);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_stabilityCaption, m_gauge, m_stability})
-        bar.addPermanentWidget(widget);
+    bar.addPermanentWidget(m_captionedGauge);
+    bar.addPermanentWidget(m_stability);
     bar.installEventFilter(this);
     connect(&m_rateTimer, &QTimer::timeout, this, &StatusLine::showRate);
     m_rateTimer.start(1000);
@@ -167,8 +173,8 @@ void StatusLine::explainStep(const PreviewStatus& status) {
            "stiff or light tissue needs smaller steps. The program keeps below by itself.");
     if (status.safeStep && std::isinf(*status.safeStep))
         gauge = tr("How safely the motion is computed: this tissue stays stable whatever the step of time.");
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_stabilityCaption, m_gauge, m_stability})
-        widget->setToolTip(gauge);
+    m_captionedGauge->setToolTip(gauge);
+    m_stability->setToolTip(gauge);
 }
 
 void StatusLine::showPictureFailure(const QString& reason) {
@@ -243,7 +249,7 @@ bool StatusLine::eventFilter(QObject*, QEvent* event) {
 
 // What is told goes before what is always there: where both have no room, the least needed makes way.
 void StatusLine::makeRoom() {
-    const std::array<QWidget*, 6> parts{m_rate, m_stabilityCaption, m_stability, m_step, m_realTime, m_gauge};
+    const std::array<QWidget*, 5> parts{m_rate, m_stability, m_step, m_realTime, m_captionedGauge};
     m_message->ensurePolished();
     int missing =
         m_message->sizeHint().width() + spacing * (static_cast<int>(parts.size()) + 2) - m_bar.width();

@@ -63,9 +63,10 @@ private:
     void makeRoom();
 
     QStatusBar& m_bar;
-    QLabel *m_rate, *m_realTime, *m_step, *m_stabilityCaption, *m_stability;
+    QLabel *m_rate, *m_realTime, *m_step, *m_stability;
     ElidedLabel* m_message;
     StabilityGauge* m_gauge;
+    QWidget* m_captionedGauge;
     QTimer m_rateTimer, m_messageTimer;
     PassingTime m_clock;
     qint64 m_since; ///< ms, pictures are counted

@@ -55,6 +55,25 @@ TEST_F(StartTest, NoOrganIsForcedOnTheUser) {
     EXPECT_FALSE(window->preview().status().playing);
 }
 
+TEST_F(StartTest, ClosingAnOrganComesBackToThePage) {
+    start();
+    EXPECT_FALSE(window->windowActions().close->isEnabled() && window->windowActions().close->isVisible());
+    window->windowActions().samples.front().second->trigger();
+    press(Qt::Key_F8);
+    window->document().edit("mass", [](Project& project) { project.base.mass *= 2; });
+    dialogs.expectButton("unsavedBox", QMessageBox::Cancel);
+    press(Qt::Key_W, Qt::ControlModifier);
+    EXPECT_TRUE(window->view().isVisible());
+    dialogs.expectButton("unsavedBox", QMessageBox::Discard);
+    press(Qt::Key_W, Qt::ControlModifier);
+    EXPECT_TRUE(page()->isVisible());
+    EXPECT_FALSE(window->document().isModified()) << "nothing is left to lose";
+    EXPECT_FALSE(child<QWidget>("workbenchWindow")->isVisible());
+    ESM_EVENTUALLY(!window->preview().status().playing);
+    window->windowActions().samples.front().second->trigger();
+    EXPECT_TRUE(window->view().isVisible());
+}
+
 TEST_F(StartTest, ASampleTakesThePlaceOfThePage) {
     start();
     window->windowActions().samples.front().second->trigger();
