@@ -192,11 +192,11 @@ QString OpeningOptions::foundText(LengthUnit unit) const {
     const auto& borders = m_found->borders;
     const std::size_t edges = m_found->report.boundaryEdges, loose = looseEdges(*m_found);
     if (edges == 0) return tr("No open border");
-    if (borders.empty()) return tr("Found: %1 of open borders around no hole").arg(edgesText(edges));
+    if (borders.empty()) return tr("In the file: %1 of open borders around no hole").arg(edgesText(edges));
     const OpenBorder& largest = borders.front();
     const QString size = edgesText(largest.loop.size());
-    QString text = borders.size() == 1 ? tr("Found: 1 open border: %1").arg(size)
-                                       : tr("Found: %1 open borders, %2; the largest: %3")
+    QString text = borders.size() == 1 ? tr("In the file: 1 open border: %1").arg(size)
+                                       : tr("In the file: %1 open borders, %2; the largest: %3")
                                              .arg(borders.size())
                                              .arg(edgesText(edges - loose), size);
     if (std::isfinite(largest.gap))

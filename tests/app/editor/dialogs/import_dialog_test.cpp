@@ -226,7 +226,7 @@ TEST(ImportDialog, TellsOfBorderEdgesAroundNoHole) {
     soup.vertices.insert(soup.vertices.end(), {{0, 0, 0}, {100, 0, 0}, {50, -60, -60}});
     soup.polygons.push_back({first, first + 1, first + 2}); // on an edge of the cube
     Shown shown(soup);
-    EXPECT_EQ(shown.text("openBorders"), "Found: 2 edges of open borders around no hole");
+    EXPECT_EQ(shown.text("openBorders"), "In the file: 2 edges of open borders around no hole");
     EXPECT_EQ(shown.markedEdges(), 2U);
     shown.child<QCheckBox>("fillsHoles")->click();
     ESM_EVENTUALLY(shown.text("leftOpen") == "Left open: 2 edges, around no hole");
