@@ -104,15 +104,21 @@ QRectF textBox(const QPainter& painter, const QString& text, double width) {
                                               Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-/// As many parts of a hint as have room, the first at least, and of that a line.
+/// As many parts of a hint as have room, and of the first as many words, one at least.
 QString fittingHint(const QPainter& painter, const QString& hint, const QSizeF& room) {
     const QString between = QStringLiteral(" · ");
+    const auto fits = [&](const QString& text) {
+        return textBox(painter, text, room.width()).height() <= room.height();
+    };
     QStringList parts = hint.split(between);
-    while (parts.size() > 1 && textBox(painter, parts.join(between), room.width()).height() > room.height())
+    while (parts.size() > 1 && !fits(parts.join(between)))
         parts.removeLast();
-    const QString fitting = parts.join(between);
-    if (textBox(painter, fitting, room.width()).height() <= room.height()) return fitting;
-    return painter.fontMetrics().elidedText(fitting, Qt::ElideRight, int(room.width()));
+    if (parts.size() > 1 || fits(parts.front())) return parts.join(between);
+    QStringList words = parts.front().split(QLatin1Char(' '));
+    const auto shortened = [&] { return words.join(QLatin1Char(' ')) + QStringLiteral("…"); };
+    while (words.size() > 1 && !fits(shortened()))
+        words.removeLast();
+    return shortened();
 }
 
 QPolygonF diamondIn(const QRectF& box) {

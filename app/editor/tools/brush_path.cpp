@@ -76,10 +76,11 @@ QPointF MouseWay::at(double share) const {
     const QPointF behind = m_from - *m_before;
     const double lengthAhead = distance(m_from, m_to), lengthBehind = distance(*m_before, m_from);
     if (QPointF::dotProduct(ahead, behind) < leastStraightness * lengthAhead * lengthBehind) return straight;
-    // The share of the place before, so that the parabola is passed with even speed.
-    const double before = -lengthBehind / lengthAhead;
-    const QPointF bend = (ahead - behind / -before) / (1 - before);
-    return straight - share * (1 - share) * bend;
+    // Passed with even speed, the parabola is at the place before so many pieces before this one begins.
+    const double before = lengthBehind / lengthAhead;
+    const QPointF bend = (ahead - behind / before) / (1 + before);
+    // A piece of few pixels hardly has a direction, which bends no long one.
+    return straight - std::min(1.0, before) * share * (1 - share) * bend;
 }
 
 std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place) {

@@ -11,8 +11,8 @@ namespace esm {
 /// The surface in the picture's place, seen from its outside; nothing beside it.
 std::optional<BrushPoint> brushPointAt(const Sight& sight, const QPointF& place);
 
-/// The way of the mouse between two places that it tells. A fast one tells few, so that the way bends as it
-/// came from the place before: on a parabola through all three. A sharp turn is meant, and stays a corner.
+/// The way of the mouse between its last two places. It follows the parabola through the last three, since a
+/// fast mouse tells few; a turn of more than 60° stays a corner.
 class MouseWay {
 public:
     /// Begins at a place (pixels).

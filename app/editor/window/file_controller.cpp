@@ -99,15 +99,23 @@ void FileController::connectActions(const Actions& actions) {
     connect(actions.save, &QAction::triggered, this, &FileController::save);
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
     connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
-    connect(actions.close, &QAction::triggered, this, [this] {
-        if (mayLeaveProject()) emit closed();
-    });
+    connect(actions.close, &QAction::triggered, this, &FileController::close);
     m_recent = new RecentMenu(*actions.recent, this);
     connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
     for (const auto& sample : actions.samples) {
         const std::string name = sample.first;
         connect(sample.second, &QAction::triggered, this, [this, name] { openSample(name); });
     }
+}
+
+/// A window beside the main one has its keys in force too, and is meant where it is the active one.
+void FileController::close() {
+    QWidget* active = QApplication::activeWindow();
+    if (active && active != &m_window) {
+        active->close();
+        return;
+    }
+    if (mayLeaveProject()) emit closed();
 }
 
 void FileController::commitTyping() {

@@ -45,7 +45,7 @@ public:
 
 signals:
     void message(const QString& text);
-    /// The organ may be left, and is to be.
+    /// The user closed the project; nothing unsaved is lost.
     void closed();
     /// A simulator can read this file now.
     void exported(const QString& file);
@@ -55,6 +55,7 @@ private:
     bool save();
     bool saveAs();
     void chooseExport();
+    void close();
     void commitTyping();
     bool mayLoseUnfinished();
     void noteOpened(const std::filesystem::path& file);

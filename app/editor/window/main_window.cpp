@@ -245,16 +245,9 @@ void MainWindow::connectStart() {
         m_document->replace(greeting, std::nullopt);
         m_showsGreeting = true;
         noteScene();
-        showStart();
+        m_start->show();
+        m_preview->setPlaying(false);
     });
-}
-
-void MainWindow::showStart() {
-    m_actions.fuzzyWindow->setChecked(false);
-    for (const QPointer<QDialog>& beside : {m_largePhoto, m_history, m_reference})
-        if (beside) beside->hide();
-    m_start->show();
-    m_preview->setPlaying(false);
 }
 
 void MainWindow::showAsLeft() {
@@ -317,7 +310,8 @@ void MainWindow::restore() {
 }
 
 void MainWindow::start(const std::vector<std::filesystem::path>& files) {
-    showStart();
+    m_start->show();
+    m_preview->setPlaying(false);
     QTimer::singleShot(0, this, [this, files] {
         offerLeftBehind(*m_journal);
         openFiles(files);

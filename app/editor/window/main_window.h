@@ -85,7 +85,6 @@ private:
     void connectStatusLine();
     void followDocument(const Change& change);
     void connectStart();
-    void showStart();
     void showAsLeft();
     void showHistory();
     void showReference();

@@ -1,5 +1,6 @@
 #include "app/editor/window/start_controller.h"
 
+#include <QDialog>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QToolBar>
@@ -38,6 +39,9 @@ void StartController::connectSteps(FirstSteps& steps) {
 }
 
 void StartController::show() {
+    m_actions.fuzzyWindow->setChecked(false);
+    for (QDialog* beside : m_window.findChildren<QDialog*>(QString(), Qt::FindDirectChildrenOnly))
+        beside->hide();
     m_pages.setCurrentWidget(m_page);
     setOrganActionsVisible(false);
     setBarsVisible(false);

@@ -20,7 +20,7 @@ public:
                     Workspaces& workspaces, FileController& files);
 
     void connectSteps(FirstSteps& steps);
-    /// Puts the start page in place of what the window shows.
+    /// Puts the start page in place of what the window shows, and hides the windows beside it.
     void show();
     bool isShown() const { return m_pages.currentWidget() == m_page; }
     /// Nothing happens where the page is not shown.

@@ -97,7 +97,6 @@ void Preview::takePrepared() {
         if (inbox.isHeldByFailure && outcome.answer->failure.empty()) {
             inbox.isHeldByFailure = false;
             inbox.playing = true;
-            inbox.reset = outcome.number;
         }
         inbox.prepared = std::move(outcome.answer);
     });
@@ -122,13 +121,13 @@ void Preview::reset() {
     send([](Inbox& inbox) {
         inbox.reset = inbox.asked;
         inbox.playScene.reset();
-        if (std::exchange(inbox.isHeldByFailure, false)) inbox.playing = true;
     });
 }
 
 void Preview::record() {
     send([](Inbox& inbox) {
         inbox.record = inbox.asked; // from rest
+        inbox.isHeldByFailure = false;
         inbox.reset.reset();
         inbox.playScene.reset();
         inbox.playing = true;
@@ -156,6 +155,7 @@ std::optional<Poke> Preview::endRecording() {
 void Preview::playScene() {
     send([](Inbox& inbox) {
         inbox.playScene = inbox.asked; // from rest
+        inbox.isHeldByFailure = false;
         inbox.reset.reset();
         inbox.record.reset();
         inbox.playing = true;
@@ -272,8 +272,8 @@ bool Preview::advance(PreviewRun& run, const PreviewLoads& loads) {
     return goesOn;
 }
 
-/// A run that came to its scene's end has to be started again by hand. What failed goes on by a project that
-/// is being prepared, or by the next.
+/// A run that came to its scene's end has to be started again by hand. One that failed goes on, from rest, by
+/// the project that is being prepared, or by the next.
 void Preview::pauseWhatEnded(Inbox& inbox, bool isSceneOver) {
     const std::lock_guard lock(m_mutex);
     const bool changes = m_inbox.prepared || m_inbox.arrived != m_inbox.asked;
@@ -286,7 +286,10 @@ void Preview::pauseWhatEnded(Inbox& inbox, bool isSceneOver) {
 void Preview::take(Worker& worker, PreparedProject prepared) {
     // The step of other parameters says nothing of these.
     worker.gauged.reset();
-    if (worker.run.take(std::move(prepared)))
+    const bool hadFailed = worker.run.hasFailed();
+    const bool canRun = worker.run.take(std::move(prepared));
+    if (hadFailed) worker.run.reset();
+    if (canRun)
         gauge(worker);
     else
         takeSafeStep(std::nullopt);

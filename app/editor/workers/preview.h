@@ -92,7 +92,7 @@ private:
         std::optional<int> reset, playScene, record;  ///< wait for the project of this number
         std::optional<double> safeStep;               ///< s, of what runs
         bool isNew = false, playing = false, stop = false;
-        bool isHeldByFailure = false; ///< plays on, from rest, once a change makes good what failed
+        bool isHeldByFailure = false; ///< paused by it: the next project that can run is played
         PreviewLoads loads;
     };
 

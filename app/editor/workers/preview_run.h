@@ -45,6 +45,8 @@ public:
     /// one: what rests looks calm until something touches it.
     void keepWithin(double safeStep);
 
+    /// Whether the motion itself went wrong, as where an organ burst.
+    bool hasFailed() const { return !m_runFailure.empty(); }
     bool isReady() const { return m_simulation && m_modelFailure.empty() && m_runFailure.empty(); }
     /// What runs. Precondition: a project was taken.
     const TissueModel& model() const { return *m_model; }

@@ -51,8 +51,8 @@ double rise(std::uint8_t brightness, double from, double to) {
 }
 
 /// How much of a pixel is tissue: 0 where its surroundings are nearly black, as a field's outside and hollows
-/// that show no colour are, 1 from where colours can be told. In a dark photo the noise of single pixels
-/// would go all the way from the one to the other, so that only what is black itself counts by itself.
+/// that show no colour are, 1 from where colours can be told. Single pixels are not asked, as their noise in
+/// a dark photo goes all the way from the one to the other, but for whether they are black themselves.
 double tissueShare(const std::uint8_t* pixel, std::uint8_t around) {
     return std::min(rise(around, 20, 40), rise(brightestChannel(pixel), 12, 20));
 }

@@ -74,6 +74,7 @@ TEST(Overlay, AHintOfManyPartsKeepsTheFirstInALowView) {
     EXPECT_GT(hintHeight(400, all, 400), hintHeight(400, first, 400));
     EXPECT_EQ(hintWidth(900, all, 80), hintWidth(900, all, 400)) << "one line always has room";
     EXPECT_EQ(hintHeight(220, all, 120), hintHeight(900, "short", 120)) << "and more is not to be had there";
+    EXPECT_GT(hintHeight(220, all, 220), hintHeight(900, "short", 220)) << "what room there is is used";
 }
 
 TEST(Overlay, AHintStandsAboveTheLegendWhereLittleIsLeftBesideIt) {

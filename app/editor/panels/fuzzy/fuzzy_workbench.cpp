@@ -37,9 +37,16 @@ QVBoxLayout* pagesIn(QWidget& room) {
     return pages;
 }
 
+/// A field that is hidden while it has the keys would hand them to whatever follows.
+void hide(QWidget& page) {
+    QWidget* focus = page.window()->focusWidget();
+    if (focus && page.isAncestorOf(focus)) focus->clearFocus();
+    page.hide();
+}
+
 void bringToFront(QLayout& pages, int index) {
     for (int i = 0; i < pages.count(); ++i)
-        if (i != index) pages.itemAt(i)->widget()->hide();
+        if (i != index) hide(*pages.itemAt(i)->widget());
     if (index >= 0) pages.itemAt(index)->widget()->show();
 }
 
@@ -72,7 +79,7 @@ FuzzyWorkbench::FuzzyWorkbench(Document& document, Selection& selection, SystemR
     m_pages->addWidget(whatToDo());
     m_pages->addWidget(tabbed);
     body()->addWidget(m_content);
-    body()->addWidget(m_elsewhere);
+    body()->addWidget(m_elsewhere, 0, Qt::AlignTop);
     m_elsewhere->hide();
 
     addTab(tr("Rules"), tr("What follows from what, as text or as a table"),

@@ -138,6 +138,17 @@ TEST_F(PaintingTest, AFastCircleHasNoCorners) {
     }
 }
 
+TEST_F(PaintingTest, AFirstPixelBendsNoLongStroke) {
+    const QPoint from = middle() - QPoint(60, 0);
+    QTest::mousePress(&window->view(), Qt::LeftButton, {}, from);
+    move(from + QPoint(1, 1));
+    move(from + QPoint(121, 1));
+    QTest::mouseRelease(&window->view(), Qt::LeftButton, {}, from + QPoint(121, 1));
+    ASSERT_EQ(strokes().size(), 1U);
+    for (const BrushPoint& point : strokes()[0]->path)
+        EXPECT_NEAR(placeOf(point.place).y(), from.y() + 1, 2);
+}
+
 TEST_F(PaintingTest, ASharpTurnStaysACorner) {
     const QPoint corner = middle() + QPoint(60, 0);
     QTest::mousePress(&window->view(), Qt::LeftButton, {}, middle() - QPoint(60, 0));

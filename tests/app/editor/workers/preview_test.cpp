@@ -75,26 +75,50 @@ TEST(Preview, SaysWhyARefusedModelDoesNotPlay) {
     EXPECT_NE(preview.status().failure, "");
 }
 
-TEST(Preview, PlaysOnFromRestOnceWhatBurstBearsItsPressure) {
+class BurstPreview : public testing::Test {
+protected:
+    void SetUp() override {
+        liver.scene.tethers.clear(); // which would bear a part of it
+        burst();
+    }
+    void burst() {
+        pressPart(liver, 0, 1e5);
+        preview.setProject(liver);
+        preview.setPlaying(true);
+        ESM_EVENTUALLY(!preview.status().failure.empty() && !preview.status().playing);
+    }
+    void lowerPressure() {
+        pressPart(liver, 0, 5);
+        preview.setProject(liver);
+    }
+
     Project liver = makeSample("liver");
-    liver.scene.tethers.clear(); // which would bear a part of it
-    pressPart(liver, 0, 1e5);
     Preview preview;
-    preview.setProject(liver);
-    preview.setPlaying(true);
-    ESM_EVENTUALLY(!preview.status().failure.empty() && !preview.status().playing);
+};
+
+TEST_F(BurstPreview, PlaysOnFromRestOnceItBearsItsPressure) {
     preview.reset();
+    ESM_EVENTUALLY(preview.frame().positions == liver.network->restPositions);
+    EXPECT_FALSE(preview.status().playing);
+    lowerPressure();
     ESM_EVENTUALLY(preview.status().failure.empty() && preview.status().playing);
-    ESM_EVENTUALLY(!preview.status().failure.empty() && !preview.status().playing);
-    pressPart(liver, 0, 5);
-    preview.setProject(liver);
-    ESM_EVENTUALLY(preview.status().failure.empty() && preview.status().playing);
+    ESM_EVENTUALLY(!preview.status().fluids.empty());
     EXPECT_LT(preview.status().fluids.at(0).share, 2) << "it does not go on from where it burst";
+}
+
+TEST_F(BurstPreview, StaysPausedWhereTheUserPausedIt) {
     preview.setPlaying(false);
-    ESM_EVENTUALLY(!preview.status().playing);
-    preview.reset();
+    lowerPressure();
     ASSERT_TRUE(hasTakenAll(preview, liver, 3));
-    EXPECT_FALSE(preview.status().playing) << "who paused it himself starts it himself";
+    EXPECT_FALSE(preview.status().playing);
+}
+
+TEST_F(BurstPreview, ARecordingThatBeginsMeanwhileGoesOn) {
+    preview.record();
+    lowerPressure();
+    ASSERT_TRUE(hasTakenAll(preview, liver, 3));
+    ESM_EVENTUALLY(preview.status().failure.empty() && preview.status().playing);
+    EXPECT_TRUE(preview.isRecording());
 }
 
 TEST(Preview, SaysWhatWentWrongOutsideTheSimulationAndLivesOn) {

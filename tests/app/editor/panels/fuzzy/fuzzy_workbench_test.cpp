@@ -77,6 +77,26 @@ TEST_F(FuzzyWorkbenchTest, SaysWhatToDoWithoutASystem) {
     EXPECT_EQ(settledHeight(window->findChild<FuzzyWorkbench*>()), height);
 }
 
+TEST_F(FuzzyWorkbenchTest, TheKeyThatClosesMeansTheActiveWindow) {
+    press(Qt::Key_F8);
+    QApplication::setActiveWindow(ownWindow());
+    ESM_EVENTUALLY(QApplication::activeWindow() == ownWindow());
+    window->windowActions().close->trigger();
+    EXPECT_FALSE(ownWindow()->isVisible());
+    EXPECT_TRUE(window->view().isVisible()) << "the organ stays";
+}
+
+TEST_F(FuzzyWorkbenchTest, AnotherTabTakesTheKeysFromTheOneBefore) {
+    chooseTab("Rules");
+    auto* rules = child<QWidget>("ruleText");
+    rules->setFocus();
+    ASSERT_EQ(window->focusWidget(), rules);
+    chooseTab("Domains");
+    const QWidget* focus = window->focusWidget();
+    EXPECT_TRUE(!focus || !focus->hasFocus() || focus == &window->view())
+        << focus->objectName().toStdString();
+}
+
 TEST_F(FuzzyWorkbenchTest, TheRulesNeedNoMoreRoomThanTheyTake) {
     window->resize(1440, 868);
     chooseTab("Domains");
