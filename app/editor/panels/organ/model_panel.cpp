@@ -45,8 +45,7 @@ QString insideText(const Detail& detail, bool isThinner) {
 QString fixingText(const TissueModel& model) {
     if (!model.fixedNodes.empty()) return QObject::tr("Model → Free all fixed nodes lets them go.");
     return model.tethers.empty()
-               ? QObject::tr(
-                     "Nothing holds the organ. The tool Fix nodes, or Model → Fix nodes in region, does.")
+               ? QObject::tr("Nothing holds the organ. The tool Fix nodes holds parts of it.")
                : QObject::tr("Tethers hold the organ. The tool Fix nodes holds parts of it.");
 }
 
@@ -75,7 +74,7 @@ ModelPanel::ModelPanel(Document& document, Preview& preview, QWidget* parent)
     m_fixing->setProperty("quiet", true);
     m_fixing->setWordWrap(true);
     m_fixing->ensurePolished(); // the style's font is the one to be measured
-    m_fixing->setFixedHeight(2 * m_fixing->fontMetrics().lineSpacing());
+    m_fixing->setFixedHeight(2 * m_fixing->fontMetrics().lineSpacing() + 2);
     m_fixing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     body()->addWidget(m_fixing);
 

@@ -104,13 +104,6 @@ TEST_F(PanelsTest, ShowsTheMassThatTheRegionsMake) {
     ESM_EVENTUALLY(child<QLabel>("totalMass")->text() == before);
 }
 
-TEST_F(PanelsTest, SaysWhereNoNodeIsFixed) {
-    window->document().edit("free", [](Project& p) { p.scene.fixed.clear(); });
-    ESM_EVENTUALLY(child<QLabel>("fixing")->text().contains("The tool Fix nodes"));
-    window->document().edit("fix", [](Project& p) { p.scene.fixed.push_back({{0, 1}, std::nullopt}); });
-    ESM_EVENTUALLY(!child<QLabel>("fixing")->text().contains("The tool Fix nodes"));
-}
-
 TEST_F(PanelsTest, TellsTheBaseMassOnce) {
     int fields = 0;
     for (const auto* field : window->findChildren<NumberField*>())
