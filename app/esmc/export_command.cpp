@@ -6,6 +6,8 @@
 #include "core/model/tissue_digest.h"
 #include "core/offscreen/preview_picture.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -14,9 +16,23 @@ struct ExportOptions {
     std::string project, output;
     const Exporter* exporter = nullptr;
     PictureOptions pictures;
+    EngineSettings engine;
+    CLI::App* command = nullptr; ///< that was told which options were given
+    bool isDryRun = false;
 };
 
+constexpr const char *timeStepOption = "--dt", *dampingOption = "--damping", *sofaOption = "--sofa";
+
+void declareEngine(CLI::App& command, EngineSettings& engine) {
+    command.add_option(timeStepOption, engine.timeStep, "Time step of an engine's scene, s")
+        ->check(positiveNumber())
+        ->option_text("SECONDS");
+    addDampingOption(command, engine.damping);
+    addChoice(command, sofaOption, engine.sofaVersion, "Release of SOFA to write for; the newest without");
+}
+
 void declareExport(CLI::App& command, ExportOptions& options) {
+    options.command = &command;
     command.add_option("project", options.project, "Project to read (.esm)")->required();
     Words<const Exporter*> words;
     std::vector<std::string> purposes, endings;
@@ -27,8 +43,26 @@ void declareExport(CLI::App& command, ExportOptions& options) {
     }
     // Before the output, whose ending is that of a format there is.
     addChoice(command, "--to", options.exporter, words, joined(purposes, "; "))->required();
-    command.add_option("-o,--output", options.output, "File to write (" + joined(endings) + ")")->required();
+    command.add_option("-o,--output", options.output, "File or folder to write (" + joined(endings) + ")")
+        ->required();
     declarePictures(command, options.pictures);
+    declareEngine(command, options.engine);
+    command.add_flag("--dry-run", options.isDryRun, "Say what will differ, and write nothing");
+}
+
+bool isGiven(const ExportOptions& options, const char* name) {
+    return options.command->count(name) > 0;
+}
+
+/// @throws UsageError for what says how an engine steps where none does
+void checkEngine(const ExportOptions& options) {
+    const Exporter& exporter = *options.exporter;
+    for (const char* name : {timeStepOption, dampingOption})
+        if (isGiven(options, name) && !exporter.isStepped)
+            throw UsageError(std::string(name) + ": a " + exporter.ending +
+                             " does not say how the organ is stepped");
+    if (isGiven(options, sofaOption) && exporter.name != "sofa")
+        throw UsageError(std::string(sofaOption) + ": goes with --to sofa");
 }
 
 /// @throws UsageError
@@ -39,21 +73,56 @@ void checkUse(const ExportOptions& options) {
     if (options.pictures.isFormatGiven && !exporter.holdsPictures)
         throw UsageError("--pictures: a " + exporter.ending + " holds no pictures");
     checkPictures(options.pictures);
+    checkEngine(options);
+}
+
+/// The file, or all that a folder holds, by name.
+std::vector<std::filesystem::path> writtenFiles(const std::filesystem::path& output) {
+    if (!std::filesystem::is_directory(output)) return {output};
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(output))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void addFiles(Report& report, const std::filesystem::path& output) {
+    std::uintmax_t bytes = 0;
+    for (const std::filesystem::path& file : writtenFiles(output)) {
+        report.json["files"].push_back(file.string());
+        bytes += std::filesystem::file_size(file);
+    }
+    report.json["bytes"] = bytes;
+    addWritten(report, output);
+}
+
+void addDifferences(Report& report, const Differences& differences) {
+    report.json["differences"] = Json::array();
+    for (const auto& [what, instead] : differences.list) {
+        report.json["differences"].push_back({{"what", what}, {"instead", instead}});
+        report.text.push_back("will differ: " + what + "; " + instead);
+    }
+    if (differences.scheme.empty()) return;
+    report.json["scheme"] = differences.scheme;
+    report.json["largest_step"] = inJson(differences.largestStep);
+    report.text.push_back("stepped by " + differences.scheme + ", largest stable step: " +
+                          (differences.largestStep ? inText(*differences.largestStep) + " s" : "no limit"));
 }
 
 Report runExport(const ExportOptions& options, Context& context) {
     checkUse(options);
     context.subject = options.project;
     const Project project = openedProject(options.project, context);
-    exportProject(project, *options.exporter, options.output,
-                  {progressOf(context, "exporting"), previewPicture, options.pictures.encoding});
+    const HandoverMeans means{progressOf(context, "exporting"), previewPicture, options.pictures.encoding,
+                              options.engine};
+    const auto work = options.isDryRun ? differencesOf : exportProject;
+    const Differences differences = work(project, *options.exporter, options.output, means);
     Report report;
     if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))
         addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "
                              "tradeoff, and export again"});
-    report.json["files"] = {options.output};
-    report.json["bytes"] = std::filesystem::file_size(options.output);
-    addWritten(report, options.output);
+    if (!options.isDryRun) addFiles(report, options.output);
+    addDifferences(report, differences);
     return report;
 }
 

@@ -62,7 +62,10 @@ class HelpTest(Case):
                      ["simulate", project, "-o", out, "--dt", "0"], ["simulate", project, "-o", out, "--dt", "fast"],
                      ["simulate", project, "-o", out, "--precision", "half"],
                      ["simulate", project, "-o", out, "--integrator", "split", "--precision", "float"],
-                     ["export", project, "-o", out, "--to", "sofa"],
+                     ["export", project, "-o", out, "--to", "stl"],
+                     ["export", project, "-o", out, "--to", "glb", "--sofa", "26.06"],
+                     ["export", project, "-o", out, "--to", "glb", "--dt", "0.01"],
+                     ["export", project, "-o", out, "--to", "sofa", "--sofa", "22.06"],
                      ["render", project, "-o", out, "--size", "0x10"], ["render", project, "-o", out, "--size", "10"],
                      ["render", project, "-o", out, "--size", "10x99999"],
                      ["render", project, "-o", out, "--view", "behind"],
@@ -131,7 +134,7 @@ class HelpTest(Case):
         offered = re.findall(r"\b([a-z]+): ", described)
         page = (Path(__file__).parents[2] / "docs/command-line.md").read_text()
         table = page[page.index("### `export"):page.index("### `validate")]
-        self.assertEqual(re.findall(r"^\| `([a-z]+)` \| `\.", table, re.M), offered)
+        self.assertEqual(re.findall(r"^\| `([a-z]+)` \| (?:folder )?`\.", table, re.M), offered)
 
 
 if __name__ == "__main__":

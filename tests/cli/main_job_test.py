@@ -94,7 +94,7 @@ class MainJobTest(Case):
     def hand_over(self, project, package):
         self.assertEqual(self.done("validate", project), {"valid": True, "problems": []})
         self.assertEqual(self.done("export", project, "-o", package, "--to", "glb"),
-                         {"files": [str(package)], "bytes": package.stat().st_size})
+                         {"files": [str(package)], "bytes": package.stat().st_size, "differences": []})
         self.assertEqual(self.done("validate", package), {"valid": True, "problems": []})
         magic, version, length = struct.unpack("<4sII", package.read_bytes()[:12])
         self.assertEqual((magic, version, length), (b"glTF", 2, package.stat().st_size))

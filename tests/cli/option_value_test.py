@@ -91,8 +91,10 @@ COMMANDS = {
         "--occlusion": AMOUNT + ["100.1"], "--remove": None},
     "texture bake organ.esm": {"project": FILE, "-o": ["-", ""], "--bits": ["7", "x", ""], "--smaller": None,
                                "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
-    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["obj", "GLB", ""],
-                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"]},
+    "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["stl", "GLB", ""],
+                               "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"],
+                               "--dt": ["0", "-1", "x", "nan", "auto", ""], "--damping": ["none", "AXIAL", ""],
+                               "--sofa": ["22.06", "26", ""], "--dry-run": None},
     "validate organ.esm": {"file": FILE},
     "render organ.esm": {
         "project": FILE, "-o": ["-", "out.jpg", ""], "--size": ["x", "10", "10x", "0x10", "10x99999", "1e2x9", ""],
@@ -193,9 +195,9 @@ class OptionValueTest(Case):
                     self.fails(1, *line, naming=bad)
 
     def test_a_format_that_is_not_there_is_named_before_its_ending(self):
-        for output in ("organ.obj", "organ.glb", "organ"):
-            message = self.fails(2, "export", self.file("organ.esm"), "--to", "obj", "-o", self.file(output))
-            self.assertIn("--to: 'obj' is not one of glb, vtp", message)
+        for output in ("organ.stl", "organ.glb", "organ"):
+            message = self.fails(2, "export", self.file("organ.esm"), "--to", "stl", "-o", self.file(output))
+            self.assertIn("--to: 'stl' is not one of glb, vtp", message)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exchange/simulators/difference.h"
 #include "core/exchange/simulators/handover.h"
 
 #include <filesystem>
@@ -14,11 +15,16 @@ struct Exporter {
     std::string ending;  ///< ".glb"
     std::string title;   ///< of its files, in a dialog: "Model packages"
     std::string purpose; ///< what it is for, in half a sentence
-    /// Writes the file atomically. @throws InvalidModel for what the format cannot hold, FileError, Cancelled
+    /// Writes the file, or the folder, whole or not at all. @throws InvalidModel for what the format cannot
+    /// hold, FileError, Cancelled
     std::function<void(const Handover& handover, const std::filesystem::path& file,
                        const HandoverMeans& means)>
         write;
     bool holdsPictures = false; ///< of the texture
+    bool isFolder = false;      ///< of several files; there must be none of its name yet, or an empty one
+    bool isStepped = false;     ///< says how to step the organ, by `HandoverMeans::engine`
+    /// What of the organ will differ in the program that it is written for. Empty: nothing. @throws Cancelled
+    std::function<Differences(const Handover& handover, const HandoverMeans& means)> differences = {};
 };
 
 const std::vector<Exporter>& exporters();
@@ -27,9 +33,13 @@ const std::vector<Exporter>& exporters();
 /// @throws FileError for another ending
 const Exporter& exporterFor(const std::filesystem::path& file);
 
-/// Evaluates the project and writes it. @throws FileError, also for a project with problems and for what the
-/// format cannot hold; Cancelled; what drawing throws
-void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
-                   const HandoverMeans& means = {});
+/// Evaluates the project and writes it. @returns what will differ @throws FileError, also for a project with
+/// problems and for what the format cannot hold; Cancelled; what drawing throws
+Differences exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+                          const HandoverMeans& means = {});
+
+/// What would differ, without writing. @throws FileError of that file for a project with problems, Cancelled
+Differences differencesOf(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+                          const HandoverMeans& means = {});
 
 } // namespace esm

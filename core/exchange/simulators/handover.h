@@ -1,7 +1,9 @@
 #pragma once
 
 #include "core/authoring/baked_pages.h"
+#include "core/dynamics/settings.h"
 #include "core/exchange/picture_encoding.h"
+#include "core/exchange/simulators/sofa/sofa_version.h"
 
 #include <functional>
 
@@ -20,11 +22,19 @@ struct Handover {
 /// @throws InvalidModel with every problem of the project and of the tissue that it comes to; Cancelled
 Handover handoverOf(const Project& project, const Progress& progress = {});
 
+/// How another program's engine is to step the organ.
+struct EngineSettings {
+    std::optional<double> timeStep;       ///< s; what suits the engine without
+    Damping damping = Damping::Isotropic; ///< of springs
+    SofaVersion sofaVersion = newestSofaVersion;
+};
+
 /// What helps to write a handover, beside the handover itself.
 struct HandoverMeans {
     Progress progress;
     DrawPreview drawPreview; ///< none: without a picture
     PictureEncoding pictures = {};
+    EngineSettings engine = {}; ///< of what is written for an engine
 };
 
 } // namespace esm

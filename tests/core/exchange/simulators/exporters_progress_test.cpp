@@ -8,12 +8,20 @@ namespace {
 
 using ExportersProgress = KeptFile;
 
+/// A file is replaced; a folder comes to stand beside it, once what an earlier export left is gone.
+std::filesystem::path targetBeside(const Exporter& exporter, const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.parent_path() / "organ";
+    std::filesystem::remove_all(folder);
+    return exporter.isFolder ? folder : file;
+}
+
 TEST_F(ExportersProgress, OfExportingIsSteadyAndStoppedItLeavesTheOldFile) {
     for (const Exporter& exporter : exporters())
         for (Project project : {paintedProject(), boundProject({Detail::Kind::Nodes, 40}), bareProject()}) {
             SetUp();
+            targetBeside(exporter, file);
             expectGoodWriting([&](const Progress& progress) {
-                exportProject(project, exporter, file, {progress, {}});
+                exportProject(project, exporter, targetBeside(exporter, file), {progress, {}});
             });
         }
 }
@@ -23,8 +31,9 @@ TEST_F(ExportersProgress, OfExportingIsSteadyWhereTheTextureIsPackedToo) {
     project.atlas = nullptr;
     for (const Exporter& exporter : exporters()) {
         SetUp();
+        targetBeside(exporter, file);
         expectGoodWriting([&](const Progress& progress) {
-            exportProject(project, exporter, file, {progress, {}});
+            exportProject(project, exporter, targetBeside(exporter, file), {progress, {}});
         });
     }
 }

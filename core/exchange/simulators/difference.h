@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// Something of an organ that the program it is handed to does not do as it is done here.
+struct Difference {
+    std::string what;    ///< it cannot carry, as a sentence
+    std::string instead; ///< what stands in its place, as a sentence
+
+    bool operator==(const Difference&) const = default;
+};
+
+/// What will differ after handing an organ over.
+struct Differences {
+    std::vector<Difference> list;
+    std::string scheme; ///< by which the target steps the organ; empty where that is not said to it
+    std::optional<double> largestStep; ///< s, predicted for that scheme; none: it has no limit, or no scheme
+};
+
+} // namespace esm

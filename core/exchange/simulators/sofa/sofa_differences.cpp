@@ -1,0 +1,77 @@
+#include "core/dynamics/spectrum/stability_search.h"
+#include "core/exchange/simulators/sofa/sofa_folder.h"
+#include "core/exchange/simulators/sofa/sofa_scene.h"
+#include "core/texture/maps/finish_pages.h"
+
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using DifferenceList = std::vector<Difference>;
+
+void addTissueDifferences(const Handover& handover, const SofaRelease& release, DifferenceList& list) {
+    const TissueModel& tissue = handover.tissue;
+    if (tissue.stiffening && !release.knowsPullingSprings)
+        list.push_back(
+            {"before release 24.12 SOFA has one constant for a spring, however far it is stretched",
+             "springs keep their first constant; write for 24.12 or later for both"});
+    bool isCurved = false;
+    for (const Hinge& hinge : tissue.hinges)
+        if (const auto shape = shapeOf(hinge, tissue.network->restPositions))
+            isCurved |= std::abs(shape->restCurvature) > 0;
+    if (isCurved)
+        list.push_back({"SOFA has no hinges that are curved at rest",
+                        "the wall's bending is that of springs which also resist being turned, by as much as "
+                        "it is curved"});
+}
+
+void addDrawingDifferences(const Handover& handover, DifferenceList& list) {
+    const Project& project = handover.project;
+    const SpringNetwork& network = *handover.tissue.network;
+    if (!project.mesh->triangles.empty() && !isDrawnInSofa(handover))
+        list.push_back({"SOFA cannot lead a surface by a line", "the surface is left out"});
+    if (network.binding && !network.lattice && isDrawnInSofa(handover))
+        list.push_back({"SOFA draws a fine surface on the triangles of the coarse one that carries it",
+                        "what stands out from these lies flat on them"});
+    if (hasFinish(project.layers, project.texture.finish) || project.texture.occlusionReach > 0)
+        list.push_back(
+            {"how wet and rough the surface is, and its occlusion", "the surface has its colours alone"});
+}
+
+/// What of a scene has no component in SOFA that does the same.
+DifferenceList sceneDifferences(const Scene& scene) {
+    DifferenceList list;
+    if (!scene.instruments.empty())
+        list.push_back({"the scene's instruments are not SOFA's",
+                        "nothing touches the organ; add instruments and collisions of your own"});
+    if (!scene.splits.empty())
+        list.push_back({"SOFA does not split the surface as the scene does", "it stays whole"});
+    if (!scene.fillings.empty() || !scene.pressures.empty())
+        list.push_back({"SOFA has no fluids and pressures over time within closed parts",
+                        "nothing presses on their walls; a SurfacePressureForceField comes near"});
+    return list;
+}
+
+std::string schemeOf(Damping damping) {
+    return damping == Damping::Isotropic ? "SOFA's EulerImplicitSolver, solved by CGLinearSolver"
+                                         : "SOFA's EulerExplicitSolver, symplectic";
+}
+
+} // namespace
+
+Differences sofaDifferences(const Handover& handover, const HandoverMeans& means) {
+    const auto& [timeStep, damping, version] = means.engine;
+    Differences differences{sceneDifferences(handover.project.scene), schemeOf(damping), std::nullopt};
+    addTissueDifferences(handover, releaseOf(version), differences.list);
+    addDrawingDifferences(handover, differences.list);
+    const std::optional<double> largest = largestSofaStep(handover.tissue, damping, means.progress);
+    if (largest && std::isfinite(*largest)) differences.largestStep = largest;
+    if (timeStep && differences.largestStep && *timeStep > *differences.largestStep)
+        differences.list.push_back({"the time step that was asked for is longer than the largest stable one",
+                                    "the motion will blow up"});
+    return differences;
+}
+
+} // namespace esm

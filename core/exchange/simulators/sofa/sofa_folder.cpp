@@ -1,0 +1,39 @@
+#include "core/exchange/simulators/sofa/sofa_folder.h"
+
+#include "core/exchange/simulators/obj_surface.h"
+#include "core/exchange/simulators/sofa/sofa_scene.h"
+#include "core/support/new_folder.h"
+
+namespace esm {
+
+namespace {
+
+void writeXsp(const std::filesystem::path& file, const std::vector<VectorSpring>& springs,
+              const SpringNetwork& network) {
+    if (!springs.empty()) writeFileAtomically(file, xspText(springs, network.restPositions));
+}
+
+} // namespace
+
+void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means) {
+    ProgressParts parts(means.progress);
+    NewFolder written(folder);
+    const std::filesystem::path& place = written.unfinished();
+    const SpringNetwork& network = *handover.tissue.network;
+    const SpringSystem system = makeSpringSystem(handover.tissue);
+    reportProgress(parts.next(0.05), 1);
+    const SofaSubject subject = sofaSubject(handover, system, means);
+    reportProgress(parts.next(0.1), 1);
+    writeFileAtomically(place / "organ.scn", sofaSceneText(subject));
+    reportProgress(parts.next(0.1), 1);
+    writeXsp(place / dampingFile, subject.viscous, network);
+    reportProgress(parts.next(0.1), 1);
+    writeXsp(place / hingeFile, subject.bending, network);
+    HandoverMeans rest = means;
+    rest.progress = parts.next(0.6);
+    if (isDrawnInSofa(handover)) writeObjSurface(handover.project, place, rest);
+    reportProgress(parts.rest(), 1);
+    written.commit();
+}
+
+} // namespace esm

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/exchange/simulators/difference.h"
+#include "core/exchange/simulators/handover.h"
+
+#include <filesystem>
+
+namespace esm {
+
+/// Writes an organ as a folder that SOFA loads as it is: `organ.scn` with nodes, springs, tethers, fixed
+/// nodes and the scene's forces and led nodes, `damping.xsp` and `bending.xsp` with what only fits into files
+/// of their own, and the drawn surface with its texture.
+/// @throws InvalidModel where axial damping leaves no stable step; FileError, Cancelled
+void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means);
+
+/// What SOFA does otherwise. @throws Cancelled
+Differences sofaDifferences(const Handover& handover, const HandoverMeans& means);
+
+} // namespace esm

@@ -1,0 +1,54 @@
+#include "core/exchange/simulators/sofa/sofa_loads.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+/// Adding up steps does not come out at a time exactly. What begins then must not wait for another step.
+double keyTime(double time, double timeStep) {
+    return time > 0 ? time - timeStep / 1000 : time;
+}
+
+/// The field goes from key to key, and keeps its last force: nothing.
+void addForce(const NodeForce& force, const SofaSubject& subject, XmlText& xml) {
+    const double from = keyTime(force.from, subject.timeStep), to = keyTime(force.to, subject.timeStep);
+    xml.add("LinearForceField", {{"points", std::to_string(force.node)},
+                                 {"times", spaced(std::vector<double>{from, to, to})},
+                                 {"forces", spaced(std::vector<Eigen::Vector3d>{force.force, force.force,
+                                                                                Eigen::Vector3d::Zero()})}});
+}
+
+/// The constraint lets go of its nodes before its first key and beyond its last: the path goes on there.
+void addMove(const NodeMove& move, const SofaSubject& subject, XmlText& xml) {
+    std::vector<double> times;
+    std::vector<Eigen::Vector3d> places;
+    const auto addKey = [&](double time, const Eigen::Vector3d& place) {
+        times.push_back(time);
+        places.push_back(place);
+    };
+    if (move.path.front().time > 0) addKey(0, move.path.front().value);
+    for (const PathPoint& point : move.path)
+        addKey(point.time, point.value);
+    constexpr double forEver = 1e9; // s
+    addKey(times.back() + forEver, places.back());
+    xml.add(
+        subject.release.movedConstraint,
+        {{"indices", std::to_string(move.node)}, {"keyTimes", spaced(times)}, {"movements", spaced(places)}});
+}
+
+} // namespace
+
+void addSofaLoads(const SofaSubject& subject, XmlText& xml) {
+    const Scene& scene = subject.handover.project.scene;
+    const std::size_t nodes = subject.system.mass.size();
+    for (const NodeForce& force : scene.forces)
+        if (force.node < nodes && force.to > force.from) addForce(force, subject, xml);
+    const std::vector<std::uint32_t>& fixed = subject.handover.tissue.fixedNodes;
+    for (const NodeMove& move : scene.moves)
+        if (move.node < nodes && !std::binary_search(fixed.begin(), fixed.end(), move.node))
+            addMove(move, subject, xml);
+}
+
+} // namespace esm

@@ -1,0 +1,16 @@
+#include "core/exchange/simulators/sofa/sofa_release.h"
+
+namespace esm {
+
+SofaRelease releaseOf(SofaVersion version) {
+    const bool isLate = version >= SofaVersion::V24_12;
+    const bool isNamedProjective = version >= SofaVersion::V24_06;
+    return {.springField = isLate ? "SpringForceField" : "StiffSpringForceField",
+            .fixedConstraint = isNamedProjective ? "FixedProjectiveConstraint" : "FixedConstraint",
+            .movedConstraint =
+                isNamedProjective ? "LinearMovementProjectiveConstraint" : "LinearMovementConstraint",
+            .knowsPullingSprings = isLate,
+            .solverAddsDamping = !isLate};
+}
+
+} // namespace esm

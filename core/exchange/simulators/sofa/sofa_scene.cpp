@@ -1,0 +1,255 @@
+#include "core/exchange/simulators/sofa/sofa_scene.h"
+
+#include "core/dynamics/stability/stability.h"
+#include "core/exchange/simulators/obj_surface.h"
+#include "core/exchange/simulators/sofa/sofa_loads.h"
+#include "core/exchange/simulators/xml_text.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+namespace esm {
+
+namespace {
+
+/// s, Rayleigh damping of fields that damp and hold nothing, see SofaSubject.
+constexpr double rayleighTime = 1e9;
+
+/// The parts of SOFA that the scene's components come from.
+void addPlugins(const SofaSubject& subject, XmlText& xml) {
+    std::vector<std::string> names{"Constraint.Projective",
+                                   "Mapping.Linear",
+                                   "Mass",
+                                   "MechanicalLoad",
+                                   "SolidMechanics.Spring",
+                                   "StateContainer",
+                                   "Topology.Container.Dynamic"};
+    names.emplace_back(subject.isImplicit() ? "ODESolver.Backward" : "ODESolver.Forward");
+    if (subject.isImplicit()) names.emplace_back("LinearSolver.Iterative");
+    const bool isDrawn = isDrawnInSofa(subject.handover);
+    if (isDrawn) names.emplace_back("IO.Mesh");
+    for (const std::string& name : names)
+        xml.add("RequiredPlugin", {{"pluginName", "Sofa.Component." + name}});
+    if (isDrawn) xml.add("RequiredPlugin", {{"pluginName", "Sofa.GL.Component.Rendering3D"}});
+}
+
+/// Conjugate gradients end at a residue, not at a number of iterations, so that the motion is the tissue's
+/// and not the solver's.
+void addSolver(const SofaSubject& subject, XmlText& xml) {
+    if (!subject.isImplicit()) return xml.add("EulerExplicitSolver", {{"symplectic", "true"}});
+    xml.add("EulerImplicitSolver");
+    xml.add("CGLinearSolver", {{"iterations", "1000"}, {"tolerance", "1e-18"}, {"threshold", "1e-40"}});
+}
+
+template<typename Cells> std::string cornersOf(const Cells& cells) {
+    std::vector<std::uint32_t> corners;
+    for (const auto& cell : cells)
+        corners.insert(corners.end(), cell.begin(), cell.end());
+    return spaced(corners);
+}
+
+/// What the drawn surface is carried by, and the nodes by themselves where nothing is.
+void addTopology(const Handover& handover, XmlText& xml) {
+    const SpringNetwork& network = *handover.tissue.network;
+    const XmlAttributes nodes{{"name", "topology"}, {"position", spaced(network.restPositions)}};
+    const auto with = [&](const std::string& kind, const std::string& cells) {
+        XmlAttributes attributes = nodes;
+        attributes.emplace_back(kind, cells);
+        return attributes;
+    };
+    const std::vector<Triangle> surface = simulatedSurface(*handover.project.mesh, network);
+    if (network.lattice)
+        xml.add("TetrahedronSetTopologyContainer",
+                with("tetrahedra", cornersOf(network.lattice->tetrahedra)));
+    else if (!surface.empty())
+        xml.add("TriangleSetTopologyContainer", with("triangles", cornersOf(surface)));
+    else
+        xml.add("PointSetTopologyContainer", with("nbPoints", std::to_string(network.restPositions.size())));
+}
+
+std::string springList(const SofaSubject& subject) {
+    std::string text;
+    for (const SpringSystem::Element& spring : subject.system.springs) {
+        if (!text.empty()) text += ' ';
+        const double viscosity = subject.isImplicit() ? 0 : spring.viscosity;
+        text += std::to_string(spring.first) + ' ' + std::to_string(spring.second) + ' ' +
+                exactText(spring.springConstant) + ' ' + exactText(viscosity) + ' ' +
+                exactText(spring.restLength);
+    }
+    return text;
+}
+
+/// A biphasic spring is its linear one and a second one beside it, of the difference of both constants, which
+/// is there only beyond the length at which the first phase ends.
+void addSecondPhase(const SpringSystem& system, XmlText& xml) {
+    std::vector<std::uint32_t> firsts, seconds;
+    std::vector<double> constants, lengths;
+    for (const SpringSystem::Element& spring : system.springs) {
+        if (spring.secondPhase.isLinear()) continue;
+        firsts.push_back(spring.first);
+        seconds.push_back(spring.second);
+        constants.push_back(spring.secondPhase.springConstant - spring.springConstant);
+        lengths.push_back((1 + spring.secondPhase.strain) * spring.restLength);
+    }
+    if (firsts.empty()) return;
+    const std::vector<std::uint32_t> onlyPulling(firsts.size(), 1);
+    xml.add("SpringForceField", {{"name", "beyondFirstPhase"},
+                                 {"indices1", spaced(firsts)},
+                                 {"indices2", spaced(seconds)},
+                                 {"stiffness", spaced(constants)},
+                                 {"damping", spaced(std::vector<double>(firsts.size(), 0))},
+                                 {"lengths", spaced(lengths)},
+                                 {"elongationOnly", spaced(onlyPulling)}});
+}
+
+void addSprings(const SofaSubject& subject, XmlText& xml) {
+    if (!subject.system.springs.empty())
+        xml.add(subject.release.springField, {{"name", "springs"}, {"spring", springList(subject)}});
+    if (subject.release.knowsPullingSprings) addSecondPhase(subject.system, xml);
+    if (!subject.bending.empty())
+        xml.add("VectorSpringForceField", {{"name", "bending"}, {"filename", hingeFile}});
+    if (!subject.viscous.empty())
+        xml.add(
+            "VectorSpringForceField",
+            {{"name", "damping"}, {"filename", dampingFile}, {"rayleighStiffness", exactText(rayleighTime)}});
+}
+
+void addRestShapeSprings(const std::string& name, const std::vector<Tether>& tethers, double factor,
+                         double Tether::*constant, double rayleigh, XmlText& xml) {
+    std::vector<std::uint32_t> nodes;
+    std::vector<double> constants;
+    for (const Tether& tether : tethers) {
+        if (!(tether.*constant > 0)) continue;
+        nodes.push_back(tether.node);
+        constants.push_back(factor * tether.*constant);
+    }
+    if (nodes.empty()) return;
+    XmlAttributes attributes{{"name", name}, {"points", spaced(nodes)}, {"stiffness", spaced(constants)}};
+    if (rayleigh > 0) attributes.emplace_back("rayleighStiffness", exactText(rayleigh));
+    xml.add("RestShapeSpringsForceField", attributes);
+}
+
+/// Per node, in all three directions.
+void addTetherViscosities(const SpringSystem& system, XmlText& xml) {
+    std::vector<Eigen::Vector3d> viscosities(system.mass.size(), Eigen::Vector3d::Zero());
+    bool isAny = false;
+    for (const Tether& tether : system.tethers) {
+        viscosities[tether.node].array() += tether.viscosity;
+        isAny |= tether.viscosity > 0;
+    }
+    if (isAny)
+        xml.add("DiagonalVelocityDampingForceField",
+                {{"name", "tetherDamping"}, {"dampingCoefficient", spaced(viscosities)}});
+}
+
+/// A spring field gives no force to a spring without length, so tethers are springs to the shape at rest.
+void addTethers(const SofaSubject& subject, XmlText& xml) {
+    const std::vector<Tether>& tethers = subject.system.tethers;
+    addRestShapeSprings("tethers", tethers, 1, &Tether::springConstant, 0, xml);
+    if (subject.isImplicit() && subject.release.solverAddsDamping)
+        addRestShapeSprings("tetherDamping", tethers, 1 / rayleighTime, &Tether::viscosity, rayleighTime,
+                            xml);
+    else
+        addTetherViscosities(subject.system, xml);
+}
+
+void addFixedNodes(const SofaSubject& subject, XmlText& xml) {
+    const std::vector<std::uint32_t>& fixed = subject.handover.tissue.fixedNodes;
+    if (!fixed.empty())
+        xml.add(subject.release.fixedConstraint, {{"name", "fixed"}, {"indices", spaced(fixed)}});
+}
+
+/// The organ as it is drawn. It finds its place among the nodes by where both are at rest.
+void addSurface(const SofaSubject& subject, XmlText& xml) {
+    if (!isDrawnInSofa(subject.handover)) return;
+    XmlAttributes model{{"src", "@mesh"}};
+    if (texturePages(subject.handover.project) == 1)
+        model.emplace_back("texturename", textureName(0, subject.pictures));
+    xml.open("Node", {{"name", "surface"}});
+    xml.add("MeshOBJLoader", {{"name", "mesh"}, {"filename", "surface.obj"}, {"handleSeams", "1"}});
+    xml.add("OglModel", model);
+    xml.add("BarycentricMapping");
+    xml.close();
+}
+
+std::vector<VectorSpring> dampingOf(const SpringSystem& system, const SofaRelease& release) {
+    std::vector<VectorSpring> springs = viscousSprings(system);
+    for (const VectorSpring& spring : hingeSprings(system))
+        if (spring.viscosity != 0) springs.push_back(spring);
+    for (VectorSpring& spring : springs) {
+        spring.springConstant = spring.viscosity / rayleighTime;
+        if (release.solverAddsDamping) spring.viscosity = 0;
+    }
+    return springs;
+}
+
+std::vector<VectorSpring> undamped(std::vector<VectorSpring> springs) {
+    for (VectorSpring& spring : springs)
+        spring.viscosity = 0;
+    return springs;
+}
+
+/// s, which bears the deformations that a scene without contact comes to, rounded for people.
+double axialStep(const TissueModel& tissue) {
+    const std::optional<double> largest = largestSofaStep(tissue, Damping::Axial);
+    if (!largest)
+        throw InvalidModel(
+            "no step of symplectic Euler is stable for it with axial damping; hand it over with "
+            "isotropic damping");
+    constexpr double margin = 0.9;
+    return std::min(usualSofaStep, margin * *largest);
+}
+
+} // namespace
+
+std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping, const Progress& progress) {
+    if (damping == Damping::Isotropic) return noStepLimit;
+    return criticalSteps(tissue, damping, {.progress = progress}).at(Integrator::Euler);
+}
+
+SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means) {
+    const auto& [timeStep, damping, version] = means.engine;
+    const SofaRelease release = releaseOf(version);
+    const bool isImplicit = damping == Damping::Isotropic;
+    const std::vector<VectorSpring> hinges = hingeSprings(system);
+    return {.handover = handover,
+            .system = system,
+            .release = release,
+            .damping = damping,
+            .timeStep = timeStep     ? *timeStep
+                        : isImplicit ? usualSofaStep
+                                     : axialStep(handover.tissue),
+            .pictures = means.pictures.format,
+            .viscous = isImplicit ? dampingOf(system, release) : std::vector<VectorSpring>{},
+            .bending = isImplicit ? undamped(hinges) : hinges};
+}
+
+bool isDrawnInSofa(const Handover& handover) {
+    const SpringNetwork& network = *handover.tissue.network;
+    return !handover.project.mesh->triangles.empty() &&
+           !simulatedSurface(*handover.project.mesh, network).empty();
+}
+
+std::string sofaSceneText(const SofaSubject& subject) {
+    XmlText xml;
+    xml.open("Node", {{"name", "root"},
+                      {"dt", exactText(subject.timeStep)},
+                      {"gravity", spaced(subject.handover.project.scene.gravity)}});
+    addPlugins(subject, xml);
+    xml.add("DefaultAnimationLoop");
+    xml.open("Node", {{"name", "organ"}});
+    addSolver(subject, xml);
+    addTopology(subject.handover, xml);
+    xml.add("MechanicalObject",
+            {{"name", "nodes"}, {"template", "Vec3"}, {"position", "@topology.position"}});
+    xml.add("DiagonalMass", {{"name", "mass"}, {"vertexMass", spaced(subject.system.mass)}});
+    addSprings(subject, xml);
+    addTethers(subject, xml);
+    addFixedNodes(subject, xml);
+    addSofaLoads(subject, xml);
+    addSurface(subject, xml);
+    xml.close();
+    xml.close();
+    return xml.text();
+}
+
+} // namespace esm

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "core/dynamics/spring_system.h"
+#include "core/exchange/simulators/handover.h"
+#include "core/exchange/simulators/sofa/sofa_release.h"
+#include "core/exchange/simulators/sofa/vector_springs.h"
+
+#include <string>
+
+namespace esm {
+
+/// What a scene of SOFA is written from. How it steps the organ follows from the damping:
+///
+/// Isotropic: implicit Euler solved by conjugate gradients, as SOFA's scenes usually do. A spring's own
+/// damping would enter the forces alone there, and blow up at any step that strong damping does not bear. So
+/// viscosity d stands in a field of vector springs of the constant d/r, whose Rayleigh damping is r: the
+/// solver's matrix then has d, and with r = 10⁹ s the constant holds nothing.
+///
+/// Axial: symplectic Euler, whose steps are this program's `euler`, with the viscosity in the springs.
+struct SofaSubject {
+    const Handover& handover;
+    const SpringSystem& system; ///< of its tissue
+    SofaRelease release;
+    Damping damping;
+    double timeStep; ///< s
+    PictureFormat pictures;
+    std::vector<VectorSpring> viscous, bending; ///< in `dampingFile` and `hingeFile`
+
+    bool isImplicit() const { return damping == Damping::Isotropic; }
+};
+
+inline constexpr const char *hingeFile = "bending.xsp", *dampingFile = "damping.xsp";
+
+/// @param system of the handover's tissue
+SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means);
+
+/// s, predicted; infinite where there is no limit, empty where no step is stable. @throws Cancelled
+std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping,
+                                      const Progress& progress = {});
+
+/// Whether a drawn surface can follow the nodes in SOFA. It lies on triangles or in tetrahedra of nodes; on
+/// the line of a rigid organ it would collapse.
+bool isDrawnInSofa(const Handover& handover);
+
+/// s, the step of implicit Euler where none is asked for. A tube of the published tissue [R C.1] is off by
+/// some 0.2 % of its motion there.
+inline constexpr double usualSofaStep = 0.005;
+
+/// The scene that is loaded. It names the other files of its folder.
+std::string sofaSceneText(const SofaSubject& subject);
+
+} // namespace esm

@@ -1,0 +1,62 @@
+"""Handing an organ over: what is told beforehand, what is written, what is refused."""
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+from esmc import Case
+
+
+class ExportTest(Case):
+    def setUp(self):
+        super().setUp()
+        self.tube = self.sample("tube")
+
+    def test_what_will_differ_is_told_without_writing(self):
+        folder = self.file("organ.sofa")
+        told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--dry-run")
+        self.assertFalse(folder.exists())
+        self.assertNotIn("files", told)
+        self.assertIn("instruments", told["differences"][0]["what"])
+        self.assertIsNone(told["largest_step"])
+        written = self.done("export", self.tube, "--to", "sofa", "-o", folder)
+        self.assertEqual(written["differences"], told["differences"])
+
+    def test_an_axial_scene_is_stepped_within_its_limit(self):
+        folder = self.file("organ.sofa")
+        told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--damping", "axial")
+        limit = self.done("stability", self.tube, "--damping", "axial")["critical_dt"]["euler"]
+        self.assertLessEqual(told["largest_step"], limit * 1.01)
+        step = float(ElementTree.parse(folder / "organ.scn").getroot().get("dt"))
+        self.assertLess(step, told["largest_step"])
+        late = self.done("export", self.tube, "--to", "sofa", "-o", self.file("late.sofa"), "--damping", "axial",
+                         "--dt", "0.01", "--dry-run")
+        self.assertTrue(any("blow up" in difference["instead"] for difference in late["differences"]))
+
+    def test_a_folder_says_all_that_it_holds(self):
+        folder = self.file("organ.sofa")
+        written = self.done("export", self.tube, "--to", "sofa", "-o", folder)
+        files = sorted(folder.iterdir())
+        self.assertEqual(written["files"], [str(file) for file in files])
+        self.assertEqual(written["bytes"], sum(file.stat().st_size for file in files))
+
+    def test_the_same_organ_gives_the_same_files(self):
+        for name in ("one.sofa", "two.sofa"):
+            self.done("export", self.tube, "--to", "sofa", "-o", self.file(name))
+        for file in self.file("one.sofa").iterdir():
+            self.assertEqual(file.read_bytes(), (self.file("two.sofa") / file.name).read_bytes(), file.name)
+
+    def test_what_is_there_is_never_touched(self):
+        folder = self.file("organ.sofa")
+        folder.mkdir()
+        (folder / "notes.txt").write_text("mine")
+        message = self.fails(1, "export", self.tube, "--to", "sofa", "-o", folder, naming=folder)
+        self.assertIn("not empty", message)
+        self.assertEqual([file.name for file in folder.iterdir()], ["notes.txt"])
+        file = self.file("file.sofa", "mine")
+        self.fails(1, "export", self.tube, "--to", "sofa", "-o", file, naming=file)
+        self.assertEqual(file.read_text(), "mine")
+        self.fails(1, "export", self.tube, "--to", "sofa", "-o", self.file("missing") / "organ.sofa",
+                   naming=self.file("missing") / "organ.sofa")
+
+
+if __name__ == "__main__":
+    unittest.main()
