@@ -104,24 +104,33 @@ void addDifferences(Report& report, const Differences& differences) {
     }
     if (differences.scheme.empty()) return;
     report.json["scheme"] = differences.scheme;
+    report.json["dt"] = inJson(differences.timeStep);
     report.json["largest_step"] = inJson(differences.largestStep);
-    report.text.push_back("stepped by " + differences.scheme + ", largest stable step: " +
-                          (differences.largestStep ? inText(*differences.largestStep) + " s" : "no limit"));
+    const auto seconds = [](const std::optional<double>& step, const char* without) {
+        return step ? inText(*step) + " s" : without;
+    };
+    report.text.push_back("stepped by " + differences.scheme + ", in steps of " +
+                          seconds(differences.timeStep, "no length") +
+                          "; largest stable step: " + seconds(differences.largestStep, "no limit"));
 }
 
 Report runExport(const ExportOptions& options, Context& context) {
     checkUse(options);
     context.subject = options.project;
     const Project project = openedProject(options.project, context);
-    const HandoverMeans means{progressOf(context, "exporting"), previewPicture, options.pictures.encoding,
-                              options.engine};
-    const auto work = options.isDryRun ? differencesOf : exportProject;
-    const Differences differences = work(project, *options.exporter, options.output, means);
+    ProgressParts parts(progressOf(context, "exporting"));
+    const Handover handover = handoverFor(options.output, project, parts.next(0.2));
+    HandoverMeans means{parts.next(0.1), previewPicture, options.pictures.encoding, options.engine};
+    const Differences differences = differencesOf(handover, *options.exporter, means);
     Report report;
-    if (project.stepping && isFromOtherTissue(*project.stepping, evaluateModel(project)))
+    if (project.stepping && isFromOtherTissue(*project.stepping, handover.tissue))
         addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "
                              "tradeoff, and export again"});
-    if (!options.isDryRun) addFiles(report, options.output);
+    if (!options.isDryRun) {
+        means.progress = parts.rest();
+        exportHandover(handover, *options.exporter, options.output, means);
+        addFiles(report, options.output);
+    }
     addDifferences(report, differences);
     return report;
 }

@@ -42,7 +42,7 @@ const Exporter& exporterFor(const std::filesystem::path& file) {
 
 namespace {
 
-/// What an exporter can say of a handover is said of the file that would be written.
+/// What is wrong with an organ is said of the file that would be written.
 template<class Work> auto forFile(const std::filesystem::path& file, Work&& work) {
     try {
         return work();
@@ -51,40 +51,29 @@ template<class Work> auto forFile(const std::filesystem::path& file, Work&& work
     }
 }
 
-Handover preparedHandover(const Project& project, ProgressParts& parts) {
-    const bool packs = !project.atlas && !project.layers.empty();
-    return handoverOf(project, parts.next(packs ? 0.3 : 0.02));
+} // namespace
+
+Handover handoverFor(const std::filesystem::path& file, const Project& project, const Progress& progress) {
+    return forFile(file, [&] { return handoverOf(project, progress); });
 }
 
-Differences toldDifferences(const Exporter& exporter, const Handover& handover, const HandoverMeans& means) {
+Differences differencesOf(const Handover& handover, const Exporter& exporter, const HandoverMeans& means) {
     return exporter.differences ? exporter.differences(handover, means) : Differences{};
 }
 
-} // namespace
-
-Differences exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
-                          const HandoverMeans& means) {
-    return forFile(file, [&] {
-        ProgressParts parts(means.progress);
-        const Handover handover = preparedHandover(project, parts);
-        HandoverMeans rest = means;
-        rest.progress = exporter.differences ? parts.next(0.1) : Progress{};
-        Differences differences = toldDifferences(exporter, handover, rest);
-        rest.progress = parts.rest();
-        exporter.write(handover, file, rest);
-        return differences;
-    });
+void exportHandover(const Handover& handover, const Exporter& exporter, const std::filesystem::path& file,
+                    const HandoverMeans& means) {
+    forFile(file, [&] { exporter.write(handover, file, means); });
 }
 
-Differences differencesOf(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
-                          const HandoverMeans& means) {
-    return forFile(file, [&] {
-        ProgressParts parts(means.progress);
-        const Handover handover = preparedHandover(project, parts);
-        HandoverMeans rest = means;
-        rest.progress = parts.rest();
-        return toldDifferences(exporter, handover, rest);
-    });
+void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+                   const HandoverMeans& means) {
+    ProgressParts parts(means.progress);
+    const bool packs = !project.atlas && !project.layers.empty();
+    const Handover handover = handoverFor(file, project, parts.next(packs ? 0.3 : 0.02));
+    HandoverMeans rest = means;
+    rest.progress = parts.rest();
+    exportHandover(handover, exporter, file, rest);
 }
 
 } // namespace esm

@@ -33,13 +33,21 @@ const std::vector<Exporter>& exporters();
 /// @throws FileError for another ending
 const Exporter& exporterFor(const std::filesystem::path& file);
 
-/// Evaluates the project and writes it. @returns what will differ @throws FileError, also for a project with
-/// problems and for what the format cannot hold; Cancelled; what drawing throws
-Differences exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+/// What a project comes to, for a file that is to be written. @throws FileError of that file for a project
+/// with problems, Cancelled
+Handover handoverFor(const std::filesystem::path& file, const Project& project,
+                     const Progress& progress = {});
+
+/// What of it will differ. @throws Cancelled
+Differences differencesOf(const Handover& handover, const Exporter& exporter,
                           const HandoverMeans& means = {});
 
-/// What would differ, without writing. @throws FileError of that file for a project with problems, Cancelled
-Differences differencesOf(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
-                          const HandoverMeans& means = {});
+/// @throws FileError, also for what the format cannot hold; Cancelled; what drawing throws
+void exportHandover(const Handover& handover, const Exporter& exporter, const std::filesystem::path& file,
+                    const HandoverMeans& means = {});
+
+/// Evaluates the project and writes it, for who asks nobody in between. Throws what both do.
+void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
+                   const HandoverMeans& means = {});
 
 } // namespace esm

@@ -63,11 +63,16 @@ std::string schemeOf(Damping damping) {
 
 Differences sofaDifferences(const Handover& handover, const HandoverMeans& means) {
     const auto& [timeStep, damping, version] = means.engine;
-    Differences differences{sceneDifferences(handover.project.scene), schemeOf(damping), std::nullopt};
+    Differences differences{sceneDifferences(handover.project.scene), schemeOf(damping), timeStep, {}};
     addTissueDifferences(handover, releaseOf(version), differences.list);
     addDrawingDifferences(handover, differences.list);
     const std::optional<double> largest = largestSofaStep(handover.tissue, damping, means.progress);
-    if (largest && std::isfinite(*largest)) differences.largestStep = largest;
+    if (!timeStep) differences.timeStep = usualSofaStepFor(damping, largest);
+    if (!largest)
+        differences.list.push_back({"no step of symplectic Euler is stable with this tissue's axial damping",
+                                    "it is not handed over; choose isotropic damping"});
+    else if (std::isfinite(*largest))
+        differences.largestStep = largest;
     if (timeStep && differences.largestStep && *timeStep > *differences.largestStep)
         differences.list.push_back({"the time step that was asked for is longer than the largest stable one",
                                     "the motion will blow up"});

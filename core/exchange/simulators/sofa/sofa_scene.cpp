@@ -188,15 +188,12 @@ std::vector<VectorSpring> undamped(std::vector<VectorSpring> springs) {
     return springs;
 }
 
-/// s, which bears the deformations that a scene without contact comes to, rounded for people.
-double axialStep(const TissueModel& tissue) {
-    const std::optional<double> largest = largestSofaStep(tissue, Damping::Axial);
-    if (!largest)
-        throw InvalidModel(
-            "no step of symplectic Euler is stable for it with axial damping; hand it over with "
-            "isotropic damping");
-    constexpr double margin = 0.9;
-    return std::min(usualSofaStep, margin * *largest);
+double chosenStep(const TissueModel& tissue, const EngineSettings& engine) {
+    if (engine.timeStep) return *engine.timeStep;
+    const auto usual = usualSofaStepFor(engine.damping, largestSofaStep(tissue, engine.damping));
+    if (usual) return *usual;
+    throw InvalidModel("no step of symplectic Euler is stable for it with axial damping; hand it over with "
+                       "isotropic damping");
 }
 
 } // namespace
@@ -206,18 +203,22 @@ std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping
     return criticalSteps(tissue, damping, {.progress = progress}).at(Integrator::Euler);
 }
 
+std::optional<double> usualSofaStepFor(Damping damping, const std::optional<double>& largestStep) {
+    constexpr double ofImplicitEuler = 0.005, margin = 0.9;
+    if (damping == Damping::Isotropic) return ofImplicitEuler;
+    if (!largestStep) return std::nullopt;
+    return std::min(ofImplicitEuler, margin * *largestStep);
+}
+
 SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means) {
-    const auto& [timeStep, damping, version] = means.engine;
-    const SofaRelease release = releaseOf(version);
-    const bool isImplicit = damping == Damping::Isotropic;
+    const SofaRelease release = releaseOf(means.engine.sofaVersion);
+    const bool isImplicit = means.engine.damping == Damping::Isotropic;
     const std::vector<VectorSpring> hinges = hingeSprings(system);
     return {.handover = handover,
             .system = system,
             .release = release,
-            .damping = damping,
-            .timeStep = timeStep     ? *timeStep
-                        : isImplicit ? usualSofaStep
-                                     : axialStep(handover.tissue),
+            .damping = means.engine.damping,
+            .timeStep = chosenStep(handover.tissue, means.engine),
             .pictures = means.pictures.format,
             .viscous = isImplicit ? dampingOf(system, release) : std::vector<VectorSpring>{},
             .bending = isImplicit ? undamped(hinges) : hinges};

@@ -187,7 +187,8 @@ TEST_F(SofaFolder, StepsAxialDampingWithinItsLimit) {
     means.engine.damping = Damping::Axial;
     const SofaReader scene = exported(makeSample("tube"), means);
     const double step = scene.elements().front().numbers("dt").front();
-    const Differences told = differencesOf(makeSample("tube"), sofaExporter(), m_written, means);
+    const Differences told = differencesOf(handoverOf(makeSample("tube")), sofaExporter(), means);
+    EXPECT_EQ(told.timeStep, step);
     ASSERT_TRUE(told.largestStep);
     EXPECT_LT(step, *told.largestStep);
     EXPECT_GT(step, 0.5 * *told.largestStep);
@@ -198,7 +199,7 @@ TEST_F(SofaFolder, TellsWhatSofaDoesNot) {
     const auto told = [&](const Project& project, SofaVersion version) {
         std::string text;
         for (const auto& [what, instead] :
-             differencesOf(project, sofaExporter(), m_written, meansFor(version)).list)
+             differencesOf(handoverOf(project), sofaExporter(), meansFor(version)).list)
             text += what + "; " + instead + "\n";
         return text;
     };
