@@ -6,8 +6,6 @@
 #include "core/model/tissue_digest.h"
 #include "core/offscreen/preview_picture.h"
 
-#include <algorithm>
-
 namespace esm {
 
 namespace {
@@ -76,19 +74,9 @@ void checkUse(const ExportOptions& options) {
     checkEngine(options);
 }
 
-/// The file, or all that a folder holds, by name.
-std::vector<std::filesystem::path> writtenFiles(const std::filesystem::path& output) {
-    if (!std::filesystem::is_directory(output)) return {output};
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(output))
-        if (entry.is_regular_file()) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 void addFiles(Report& report, const std::filesystem::path& output) {
     std::uintmax_t bytes = 0;
-    for (const std::filesystem::path& file : writtenFiles(output)) {
+    for (const std::filesystem::path& file : exportedFiles(output)) {
         report.json["files"].push_back(file.string());
         bytes += std::filesystem::file_size(file);
     }

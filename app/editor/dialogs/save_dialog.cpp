@@ -65,7 +65,7 @@ std::optional<ChosenFile> chooseNewFileAndKind(QWidget* window, const NewFile& w
     while (dialog.exec() == QDialog::Accepted) {
         const int filter = dialog.nameFilters().indexOf(dialog.selectedNameFilter());
         const QString file = withEnding(dialog.selectedFiles().value(0), wanted.endings, filter);
-        if (!QFileInfo::exists(file) || mayReplace(window, file))
+        if (!QFileInfo(file).isFile() || mayReplace(window, file))
             return ChosenFile{std::filesystem::path(file.toStdString()), filter};
     }
     return std::nullopt;

@@ -8,13 +8,12 @@
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/dialogs/thin_wall_text.h"
 #include "app/editor/window/actions.h"
+#include "app/editor/window/export_controller.h"
 #include "app/editor/window/import_controller.h"
 #include "app/editor/window/photo_controller.h"
 #include "app/editor/window/recent_menu.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/project/project_file.h"
-#include "core/exchange/simulators/exporters.h"
-#include "core/offscreen/preview_picture.h"
 #include "core/samples/samples.h"
 #include "core/texture/photo/photo_format.h"
 
@@ -59,32 +58,14 @@ std::filesystem::path toPath(const QString& file) {
     return std::filesystem::path(file.toStdString());
 }
 
-/// One line of the list of types in the export dialog.
-struct ExportKind {
-    const Exporter* exporter;
-    QString title;
-    PictureEncoding pictures;
-};
-
-std::vector<ExportKind> exportKinds() {
-    std::vector<ExportKind> kinds;
-    for (const Exporter& exporter : exporters()) {
-        const QString title = QString::fromStdString(exporter.title);
-        kinds.push_back({&exporter, title, {}});
-        if (exporter.holdsPictures)
-            kinds.push_back(
-                {&exporter, QObject::tr("%1, texture as JPEG").arg(title), {PictureFormat::Jpeg}});
-    }
-    return kinds;
-}
-
 } // namespace
 
 FileController::FileController(QWidget& window, Document& document, PhotoController& photos,
                                std::function<EditorState()> editorState)
     : QObject(&window), m_window(window), m_document(document), m_editorState(std::move(editorState)),
       m_photos(photos),
-      m_imports(new ImportController(window, document, [this] { return mayLeaveProject(); })) {
+      m_imports(new ImportController(window, document, [this] { return mayLeaveProject(); })),
+      m_exports(new ExportController(window, document)) {
     connect(m_imports, &ImportController::imported, this, [this](const std::filesystem::path& file) {
         noteOpened(file);
         const QString imported = tr("Imported %1").arg(fileName(file)),
@@ -98,7 +79,10 @@ void FileController::connectActions(const Actions& actions) {
     connect(actions.import, &QAction::triggered, m_imports, &ImportController::chooseMesh);
     connect(actions.save, &QAction::triggered, this, &FileController::save);
     connect(actions.saveAs, &QAction::triggered, this, &FileController::saveAs);
-    connect(actions.exportPackage, &QAction::triggered, this, &FileController::chooseExport);
+    connect(actions.exportPackage, &QAction::triggered, this, [this] {
+        commitTyping();
+        m_exports->choose();
+    });
     connect(actions.close, &QAction::triggered, this, &FileController::close);
     m_recent = new RecentMenu(*actions.recent, this);
     connect(m_recent, &RecentMenu::chosen, this, &FileController::openRecent);
@@ -256,21 +240,6 @@ void FileController::write(const std::filesystem::path& file, const std::optiona
     emit message((tr("Saved %1.").arg(fileName(file)) + ' ' + m_document.unfinished()).trimmed());
 }
 
-void FileController::exportTo(const std::filesystem::path& file, const PictureEncoding& pictures) {
-    commitTyping();
-    attempt(&m_window, tr("The organ was not exported"), [&] {
-        const Exporter& exporter = exporterFor(file);
-        const Project project = m_document.project();
-        runLongWork(
-            &m_window, tr("Exporting %1").arg(fileName(file)),
-            [&](const Progress& progress) {
-                exportProject(project, exporter, file, {progress, previewPicture, pictures});
-            },
-            Cancelling::UntilDone);
-        emit exported(QString::fromStdString(file.string()));
-    });
-}
-
 void FileController::chooseProject() {
     const auto file = chooseFile(&m_window, tr("Open project"), FileKind::Project, tr("Projects (*.esm)"),
                                  m_document.path());
@@ -294,21 +263,6 @@ bool FileController::saveAs() {
     if (!file) return false;
     rememberFolder(FileKind::Project, *file);
     return saveTo(*file);
-}
-
-void FileController::chooseExport() {
-    const std::vector<ExportKind> kinds = exportKinds();
-    QStringList filters, endings;
-    for (const ExportKind& kind : kinds) {
-        endings.append(QString::fromStdString(kind.exporter->ending));
-        filters.append(QStringLiteral("%1 (*%2)").arg(kind.title, endings.back()));
-    }
-    const NewFile asked =
-        fileForOthers(m_document, tr("Export"), filters.join(QStringLiteral(";;")), endings);
-    const auto file = ask(m_window, [&] { return chooseNewFileAndKind(&m_window, asked); });
-    if (!file) return;
-    rememberFolder(FileKind::Package, file->path);
-    exportTo(file->path, kinds.at(static_cast<std::size_t>(std::max(file->filter, 0))).pictures);
 }
 
 } // namespace esm

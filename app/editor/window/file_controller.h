@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/editor/document/document.h"
-#include "core/exchange/picture_encoding.h"
 
 #include <QObject>
 #include <QWidget>
@@ -11,11 +10,12 @@
 namespace esm {
 
 struct Actions;
+class ExportController;
 class ImportController;
 class PhotoController;
 class RecentMenu;
 
-/// Opens and saves projects and hands them over. Files that become something else go to who takes them.
+/// Opens and saves projects. Files that become something else go to who takes them.
 class FileController : public QObject {
     Q_OBJECT
 
@@ -36,9 +36,7 @@ public:
     /// One that was opened before, and may be gone.
     void openRecent(const QString& file);
     bool saveTo(const std::filesystem::path& file);
-    /// In the format that the file's ending says; the first there is where it says none.
-    /// @param pictures how the texture is stored, where the format holds one
-    void exportTo(const std::filesystem::path& file, const PictureEncoding& pictures = {});
+    ExportController& exports() { return *m_exports; }
 
     /// True when nothing would be lost: nothing is unsaved, it was saved now, or the user gives it up.
     bool mayLeaveProject();
@@ -47,14 +45,11 @@ signals:
     void message(const QString& text);
     /// The user closed the project; nothing unsaved is lost.
     void closed();
-    /// A simulator can read this file now.
-    void exported(const QString& file);
 
 private:
     void chooseProject();
     bool save();
     bool saveAs();
-    void chooseExport();
     void close();
     void commitTyping();
     bool mayLoseUnfinished();
@@ -67,6 +62,7 @@ private:
     std::function<EditorState()> m_editorState;
     PhotoController& m_photos;
     ImportController* m_imports;
+    ExportController* m_exports;
     RecentMenu* m_recent = nullptr;
 };
 

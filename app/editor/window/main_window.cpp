@@ -8,6 +8,7 @@
 #include "app/editor/window/columns.h"
 #include "app/editor/window/device_controller.h"
 #include "app/editor/window/edit_controller.h"
+#include "app/editor/window/export_controller.h"
 #include "app/editor/window/export_notice.h"
 #include "app/editor/window/file_controller.h"
 #include "app/editor/window/help.h"
@@ -176,7 +177,7 @@ void MainWindow::connectParts() {
     connect(m_workspaces, &Workspaces::shown, m_journal,
             [this](Workspace workspace) { m_journal->setWorkspace(wordOf(workspace)); });
     auto* exported = new ExportNotice(*m_view, *m_document);
-    connect(m_files, &FileController::exported, exported, &ExportNotice::show);
+    connect(&m_files->exports(), &ExportController::exported, exported, &ExportNotice::show);
     connect(m_actions.quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions.lightTheme, &QAction::toggled, this, &MainWindow::setTheme);
     connect(m_actions.keys, &QAction::triggered, this, [this] { showKeys(this, m_actions); });
@@ -237,7 +238,7 @@ void MainWindow::connectStart() {
     m_firstSteps = new FirstSteps(*m_view, *m_document, *m_preview);
     m_start->connectSteps(*m_firstSteps);
     connect(m_start, &StartController::left, this, &MainWindow::showTitle);
-    connect(m_files, &FileController::exported, m_firstSteps, &FirstSteps::noteHandover);
+    connect(&m_files->exports(), &ExportController::exported, m_firstSteps, &FirstSteps::noteHandover);
     connect(m_document, &Document::replaced, this, &MainWindow::showAsLeft);
     connect(m_document, &Document::changed, m_start, &StartController::leave);
     // Behind the start page lies the organ that the window began with.

@@ -7,6 +7,8 @@
 #include "core/support/joined.h"
 #include "core/support/letters.h"
 
+#include <algorithm>
+
 namespace esm {
 
 const std::vector<Exporter>& exporters() {
@@ -64,6 +66,15 @@ Differences differencesOf(const Handover& handover, const Exporter& exporter, co
 void exportHandover(const Handover& handover, const Exporter& exporter, const std::filesystem::path& file,
                     const HandoverMeans& means) {
     forFile(file, [&] { exporter.write(handover, file, means); });
+}
+
+std::vector<std::filesystem::path> exportedFiles(const std::filesystem::path& file) {
+    if (!std::filesystem::is_directory(file)) return {file};
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(file))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
 }
 
 void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,

@@ -46,6 +46,9 @@ Differences differencesOf(const Handover& handover, const Exporter& exporter,
 void exportHandover(const Handover& handover, const Exporter& exporter, const std::filesystem::path& file,
                     const HandoverMeans& means = {});
 
+/// All that an export has written, by name: the file, or the files in the folder.
+std::vector<std::filesystem::path> exportedFiles(const std::filesystem::path& file);
+
 /// Evaluates the project and writes it, for who asks nobody in between. Throws what both do.
 void exportProject(const Project& project, const Exporter& exporter, const std::filesystem::path& file,
                    const HandoverMeans& means = {});

@@ -1,6 +1,7 @@
 #include "app/editor/window/start_page.h"
 
 #include "app/editor/document/journal.h"
+#include "app/editor/window/export_controller.h"
 #include "app/editor/window/file_controller.h"
 #include "app/editor/workers/preview.h"
 #include "core/exchange/project/project_file.h"
@@ -134,7 +135,7 @@ TEST_F(StartTest, FirstStepsGoOnAsTheyAreDone) {
     pull();
     EXPECT_TRUE(notice().startsWith("5 of 5"));
     TemporaryFolder folder;
-    window->files().exportTo(folder / "liver.glb");
+    window->files().exports().exportTo(folder / "liver.glb");
     ESM_EVENTUALLY(!notice().startsWith("5 of 5"));
     EXPECT_TRUE(notice().startsWith("Exported liver")) << notice().toStdString();
 }

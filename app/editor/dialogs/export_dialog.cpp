@@ -1,0 +1,168 @@
+#include "app/editor/dialogs/export_dialog.h"
+
+#include "app/editor/dialogs/box_setup.h"
+#include "app/editor/dialogs/long_work.h"
+#include "app/editor/dialogs/sentence.h"
+#include "widgets/inputs/action_texts.h"
+#include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/number_text.h"
+#include "widgets/inputs/quiet_label.h"
+#include "widgets/inputs/refused_numbers.h"
+
+#include <QDialogButtonBox>
+#include <QPushButton>
+
+namespace esm {
+
+namespace {
+
+constexpr int textWidth = 520; // pixels
+
+NumberFormat stepFormat() {
+    NumberFormat format;
+    format.unit = QStringLiteral("ms");
+    format.shownPerValue = 1000;
+    format.minimum = 1e-9;
+    format.maximum = 1;
+    return format;
+}
+
+QString textOf(const std::vector<Difference>& differences) {
+    if (differences.empty()) return QObject::tr("Nothing that the program knows of.");
+    QString text;
+    for (const auto& [what, instead] : differences)
+        text += QStringLiteral("<li>%1:<br/>%2.</li>")
+                    .arg(sentence(what).toHtmlEscaped(), QString::fromStdString(instead).toHtmlEscaped());
+    return QStringLiteral("<ul style='margin-left: 14px; -qt-list-indent: 0'>%1</ul>").arg(text);
+}
+
+QString textOfSteps(const Differences& differences) {
+    if (differences.scheme.empty()) return {};
+    const QString limit =
+        differences.largestStep
+            ? QObject::tr("Steps longer than %1 ms are not stable.")
+                  .arg(numberText(1000 * *differences.largestStep))
+            : QObject::tr("Steps of any length are stable; shorter ones are nearer to the motion here.");
+    return QObject::tr("Stepped by %1. %2").arg(QString::fromStdString(differences.scheme), limit);
+}
+
+QLabel* wrappedLabel(const char* name, QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setWordWrap(true);
+    label->setFixedWidth(textWidth);
+    return label;
+}
+
+void addField(QFormLayout* form, const QString& caption, QWidget* field, const QString& meaning) {
+    field->setToolTip(meaning);
+    field->setAccessibleName(withoutMnemonic(caption));
+    form->addRow(quietLabel(caption, form->parentWidget(), field), field);
+}
+
+} // namespace
+
+ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, QWidget* parent)
+    : QDialog(parent), m_exporter(exporter), m_handover(handover),
+      m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)) {
+    setWindowTitle(tr("Export: %1").arg(QString::fromStdString(exporter.title)));
+    setObjectName(QStringLiteral("exportDialog"));
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 18, 20, 18);
+    column->setSpacing(12);
+    if (exporter.isStepped) addSettings(column);
+    column->addWidget(new QLabel(tr("What will differ from here"), this));
+    column->addWidget(m_differences);
+    m_steps->setProperty("quiet", true);
+    column->addWidget(m_steps);
+    column->addStretch();
+    addAnswer(column);
+    rejectOnEscape(*this);
+    look();
+}
+
+void ExportDialog::addSettings(QVBoxLayout* column) {
+    auto* form = new QFormLayout;
+    form->setHorizontalSpacing(16);
+    form->setVerticalSpacing(8);
+    column->addLayout(form);
+    if (m_exporter.name == "sofa") addRelease(form);
+    addDamping(form);
+    addTimeStep(form);
+}
+
+void ExportDialog::addRelease(QFormLayout* form) {
+    auto* release = new QComboBox(this);
+    release->setObjectName(QStringLiteral("exportRelease"));
+    for (const auto& [version, word] : wordsOf<SofaVersion>)
+        release->addItem(QLatin1String(word), static_cast<int>(version));
+    release->setCurrentIndex(release->findData(static_cast<int>(m_settings.sofaVersion)));
+    guardFromWheel(*release);
+    connect(release, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, release] {
+        m_settings.sofaVersion = static_cast<SofaVersion>(release->currentData().toInt());
+        look();
+    });
+    addField(form, tr("&Release"), release, tr("The release that is to load the folder: names differ"));
+}
+
+void ExportDialog::addDamping(QFormLayout* form) {
+    auto* damping = new QComboBox(this);
+    damping->setObjectName(QStringLiteral("exportDamping"));
+    damping->addItem(tr("all motion, as here"), static_cast<int>(Damping::Isotropic));
+    damping->addItem(tr("along the springs alone"), static_cast<int>(Damping::Axial));
+    guardFromWheel(*damping);
+    connect(damping, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, damping] {
+        m_settings.damping = static_cast<Damping>(damping->currentData().toInt());
+        m_settings.timeStep = std::nullopt;
+        look();
+    });
+    addField(form, tr("Viscosity &damps"), damping,
+             tr("Along the springs alone, as most engines know it, tissue gives way farther; it then needs "
+                "short steps"));
+}
+
+void ExportDialog::addTimeStep(QFormLayout* form) {
+    m_timeStep = new NumberField(stepFormat(), this);
+    m_timeStep->setObjectName(QStringLiteral("exportTimeStep"));
+    connect(m_timeStep, &NumberField::valueEdited, this, [this](double step) {
+        m_settings.timeStep = step;
+        look();
+    });
+    addField(form, tr("Time &step"), m_timeStep, tr("The step that is written; it can be changed there"));
+}
+
+void ExportDialog::addAnswer(QVBoxLayout* column) {
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    auto* accepting = new QPushButton(tr("&Export"), this);
+    accepting->setObjectName(QStringLiteral("exportAccept"));
+    accepting->setProperty("primary", true);
+    accepting->setDefault(true);
+    buttons->addButton(accepting, QDialogButtonBox::AcceptRole);
+    buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+/// The largest step of a large organ takes a while.
+void ExportDialog::look() {
+    const Differences differences =
+        computeLong(isVisible() ? this : parentWidget(), tr("Looking for what will differ"),
+                    [this](const Progress& progress) {
+                        HandoverMeans means;
+                        means.progress = progress;
+                        means.engine = m_settings;
+                        return differencesOf(m_handover, m_exporter, means);
+                    });
+    m_differences->setText(textOf(differences.list));
+    m_steps->setText(textOfSteps(differences));
+    m_steps->setVisible(!m_steps->text().isEmpty());
+    if (m_timeStep && m_timeStep->refusal().isEmpty()) m_timeStep->setValue(differences.timeStep);
+    adjustSize();
+}
+
+void ExportDialog::accept() {
+    if (takesAllNumbers(*this)) QDialog::accept();
+}
+
+} // namespace esm

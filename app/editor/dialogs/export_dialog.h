@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/exchange/simulators/exporters.h"
+#include "widgets/inputs/number_field.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+
+namespace esm {
+
+/// Says what of an organ will differ in the program that it is handed to, and asks how that is to step it.
+class ExportDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// @param handover outlives the dialog
+    ExportDialog(const Exporter& exporter, const Handover& handover, QWidget* parent = nullptr);
+
+    const EngineSettings& settings() const { return m_settings; }
+    /// Not while a number in it is refused.
+    void accept() override;
+
+private:
+    void addSettings(QVBoxLayout* column);
+    void addRelease(QFormLayout* form);
+    void addDamping(QFormLayout* form);
+    void addTimeStep(QFormLayout* form);
+    void addAnswer(QVBoxLayout* column);
+    void look();
+
+    const Exporter& m_exporter;
+    const Handover& m_handover;
+    EngineSettings m_settings;
+    NumberField* m_timeStep = nullptr; ///< null where no engine steps what is written
+    QLabel *m_differences, *m_steps;
+};
+
+} // namespace esm
