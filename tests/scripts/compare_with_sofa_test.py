@@ -1,0 +1,41 @@
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
+sys.path.insert(0, str(SCRIPTS))
+import compare_with_sofa as sofa  # noqa: E402
+
+
+class CompareWithSofa(unittest.TestCase):
+    def test_the_error_is_that_of_the_motion(self):
+        rest, moved = [(0, 0, 0), (1, 0, 0)], [(0, 0, 0), (1, 0, 2)]
+        here = {0.0: rest, 0.1: moved}
+        self.assertEqual(sofa.relative_error(here, here, 0.01), 0)
+        self.assertEqual(sofa.relative_error(here, {0.0: rest, 0.1: rest}, 0.01), 1)
+        self.assertAlmostEqual(sofa.relative_error(here, {0.1004: [(0, 0, 0), (1, 0, 2.02)]}, 0.01), 0.01)
+
+    def test_a_motion_that_ends_early_is_none(self):
+        here = {0.0: [(0, 0, 0)], 0.1: [(0, 0, 1)]}
+        with self.assertRaisesRegex(sofa.Failed, "no state at 0.1 s"):
+            sofa.relative_error(here, {0.0: [(0, 0, 0)], 0.05: [(0, 0, 0.5)]}, 0.01)
+        with self.assertRaisesRegex(sofa.Failed, "nothing moves"):
+            sofa.relative_error({0.0: [(0, 0, 0)], 0.1: [(0, 0, 0)]}, here, 0.01)
+
+    def test_states_are_read_as_sofa_writes_them(self):
+        with tempfile.TemporaryDirectory() as folder:
+            state = Path(folder) / "state.txt"
+            state.write_text("T= 0\n  X= 0 0 0 1 2 3 \nT= 0.1\n  X= 0 0 1 1 2e-1 3 \n")
+            self.assertEqual(sofa.frames_in_sofa(state), {0.0: [(0, 0, 0), (1, 2, 3)], 0.1: [(0, 0, 1), (1, 0.2, 3)]})
+
+    def test_without_sofa_it_says_so(self):
+        process = subprocess.run([sys.executable, SCRIPTS / "compare_with_sofa.py", "organ.esm", "--duration", "1", "--runsofa",
+                                  "no-such-program"], capture_output=True, text=True)
+        self.assertEqual((process.returncode, process.stdout), (3, ""))
+        self.assertIn("no runSofa is installed", process.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
