@@ -2,7 +2,7 @@
 
 #include "core/exchange/model_package.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
-#include "core/exchange/simulators/vtp_file.h"
+#include "core/exchange/simulators/vtk_file.h"
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 #include "core/support/letters.h"
@@ -15,8 +15,18 @@ const std::vector<Exporter>& exporters() {
     static const std::vector<Exporter> all{
         {"glb", ".glb", "Model packages", "the model package for simulators, a textured mesh to any viewer",
          writePackage, true},
-        {"vtp", ".vtp", "VTK surfaces",
-         "surface and springs with their parameters as arrays, for ParaView and 3D Slicer", writeVtp},
+        {.name = "vtp",
+         .ending = ".vtp",
+         .title = "VTK surfaces",
+         .purpose = "surface and springs with their parameters as arrays, for ParaView and 3D Slicer",
+         .write = writeVtp,
+         .differences = vtpDifferences},
+        {.name = "vtu",
+         .ending = ".vtu",
+         .title = "VTK grids",
+         .purpose = "the same with the tetrahedra of a filled organ, for ParaView and 3D Slicer",
+         .write = writeVtu,
+         .differences = vtuDifferences},
         {.name = "sofa",
          .ending = ".sofa",
          .title = "Scenes for SOFA",

@@ -1,4 +1,4 @@
-#include "core/exchange/simulators/vtp_file.h"
+#include "core/exchange/simulators/vtk_file.h"
 
 #include "core/exchange/simulators/exporters.h"
 #include "core/support/byte_order.h"
@@ -28,10 +28,13 @@ public:
         return std::stoul(match[1]);
     }
 
+    bool contains(const std::string& text) const { return m_text.find(text) != m_text.npos; }
+
     /// The numbers of an array within an element such as PointData.
     template<typename Number>
     std::vector<Number> numbers(const std::string& element, const std::string& name) const {
-        const std::size_t begin = m_text.find("<" + element), place = m_text.find("Name=\"" + name, begin);
+        const std::size_t begin = m_text.find("<" + element),
+                          place = m_text.find("Name=\"" + name + '"', begin);
         EXPECT_LT(place, m_text.find("</" + element, begin)) << element << " " << name;
         const std::size_t offset = m_text.find("offset=\"", place) + 8;
         const std::uint8_t* array = &m_bytes[m_appended + std::stoul(m_text.substr(offset))];
@@ -46,11 +49,12 @@ private:
     std::size_t m_appended = 0;
 };
 
-class VtpFile : public testing::Test {
+class VtkFile : public testing::Test {
 protected:
-    VtpText exported(const Project& project) const {
-        exportProject(project, exporterFor(m_file), m_file);
-        return VtpText(m_file);
+    VtpText exported(const Project& project) const { return exported(project, m_file); }
+    VtpText exported(const Project& project, const std::filesystem::path& file) const {
+        exportProject(project, exporterFor(file), file);
+        return VtpText(file);
     }
 
     TemporaryFolder m_folder;
@@ -61,7 +65,7 @@ double sum(const std::vector<double>& values) {
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-TEST_F(VtpFile, HoldsSpringsAndTheirTissueToTheLastBit) {
+TEST_F(VtkFile, HoldsSpringsAndTheirTissueToTheLastBit) {
     const Project project = richProject();
     const TissueModel tissue = evaluateModel(project);
     const VtpText file = exported(project);
@@ -82,7 +86,7 @@ TEST_F(VtpFile, HoldsSpringsAndTheirTissueToTheLastBit) {
     }
 }
 
-TEST_F(VtpFile, HoldsNodesAsPoints) {
+TEST_F(VtkFile, HoldsNodesAsPoints) {
     const Project project = richProject();
     const TissueModel tissue = evaluateModel(project);
     const VtpText file = exported(project);
@@ -101,7 +105,7 @@ TEST_F(VtpFile, HoldsNodesAsPoints) {
     EXPECT_NEAR(sum(file.numbers<double>("PointData", "tether_spring_constant")), tethers, 1e-9 * tethers);
 }
 
-TEST_F(VtpFile, DrawsTheSurfaceThatFewerNodesCarry) {
+TEST_F(VtkFile, DrawsTheSurfaceThatFewerNodesCarry) {
     const Project project = boundProject({Detail::Kind::Nodes, 20});
     const VtpText file = exported(project);
     const std::size_t nodes = project.network->restPositions.size();
@@ -124,7 +128,7 @@ TEST_F(VtpFile, DrawsTheSurfaceThatFewerNodesCarry) {
     EXPECT_DOUBLE_EQ(sum(file.numbers<double>("PointData", "mass")), sum(tissue.mass));
 }
 
-TEST_F(VtpFile, GivesVerticesTheMeanOfAllTheirNodes) {
+TEST_F(VtkFile, GivesVerticesTheMeanOfAllTheirNodes) {
     const Project project = latticeProject();
     const TissueModel tissue = evaluateModel(project);
     const VtpText file = exported(project);
@@ -140,14 +144,86 @@ TEST_F(VtpFile, GivesVerticesTheMeanOfAllTheirNodes) {
     }
 }
 
-TEST_F(VtpFile, HoldsAModelWithoutSurface) {
+TEST_F(VtkFile, HoldsWhatHasNoCellsAsArraysOfTheWhole) {
+    Project project = filledProject();
+    const VtpText file = exported(project);
+    EXPECT_EQ(file.numbers<std::int32_t>("FieldData", "tetrahedra_nodes").size(),
+              4 * project.network->lattice->tetrahedra.size());
+    const auto points = file.numbers<std::int32_t>("FieldData", "vertices_point");
+    const auto places = file.numbers<double>("Points", "Points");
+    ASSERT_EQ(points.size(), project.mesh->vertices.size());
+    for (std::size_t vertex = 0; vertex < points.size(); ++vertex)
+        EXPECT_EQ(places[3 * static_cast<std::size_t>(points[vertex]) + 2],
+                  project.mesh->vertices[vertex].z());
+}
+
+TEST_F(VtkFile, HoldsHingesAndStiffening) {
+    Project project = biphasicProject();
+    project.base.resistsBending = true;
+    const TissueModel tissue = evaluateModel(project);
+    const VtpText file = exported(project);
+    const auto stiffness = file.numbers<double>("FieldData", "hinges_stiffness");
+    ASSERT_EQ(stiffness.size(), tissue.hinges.size());
+    for (std::size_t i = 0; i < stiffness.size(); ++i)
+        EXPECT_EQ(stiffness[i], tissue.hinges[i].stiffness);
+    EXPECT_THAT(file.numbers<double>("FieldData", "model_stiffening_strain"),
+                testing::ElementsAre(tissue.stiffening->strain));
+    EXPECT_TRUE(file.contains("location=\"vtkDataArray\">N·m·s/rad<"));
+}
+
+TEST_F(VtkFile, NamesTheRegionOfEveryPoint) {
+    const Project project = boundProject({Detail::Kind::Nodes, 20});
+    const VtpText file = exported(project);
+    const auto regions = file.numbers<std::int32_t>("PointData", "region");
+    const auto nodes = file.numbers<std::int64_t>("PointData", "node");
+    ASSERT_EQ(regions.size(), file.count("Points"));
+    for (std::size_t point = 0; point < regions.size(); ++point) {
+        const Eigen::Vector3d& place = project.network->restPositions[static_cast<std::size_t>(nodes[point])];
+        EXPECT_EQ(weightAt(project.regions[static_cast<std::size_t>(regions[point])], place), 1);
+    }
+}
+
+TEST_F(VtkFile, AGridHoldsTetrahedraAsCells) {
+    const Project project = filledProject();
+    const VtpText file = exported(project, m_folder / "organ.vtu");
+    const auto corners = file.numbers<std::int64_t>("Cells", "connectivity");
+    const auto ends = file.numbers<std::int64_t>("Cells", "offsets");
+    const auto types = file.numbers<std::uint8_t>("Cells", "types");
+    const auto counts = file.numbers<std::uint8_t>("CellData", "corners");
+    const auto constants = file.numbers<double>("CellData", "spring_constant");
+    const auto ofPoints = file.numbers<double>("PointData", "spring_constant");
+    ASSERT_EQ(types.size(), project.network->springs.size() + project.mesh->triangles.size() +
+                                project.network->lattice->tetrahedra.size());
+    ASSERT_EQ(file.count("Cells"), types.size());
+    ASSERT_EQ(constants.size(), types.size());
+    std::size_t begin = 0, tetrahedra = 0;
+    for (std::size_t cell = 0; cell < types.size(); ++cell) {
+        const auto end = static_cast<std::size_t>(ends[cell]);
+        ASSERT_EQ(end - begin, counts[cell]);
+        EXPECT_EQ(types[cell], counts[cell] == 2 ? 3 : counts[cell] == 3 ? 5 : 10);
+        double mean = 0;
+        for (std::size_t corner = begin; corner < end && types[cell] == 10; ++corner) {
+            const auto node = static_cast<std::size_t>(corners[corner]);
+            EXPECT_EQ(node, project.network->lattice->tetrahedra[tetrahedra][corner - begin]);
+            mean += ofPoints[node] / 4;
+        }
+        if (types[cell] == 10) {
+            EXPECT_DOUBLE_EQ(constants[cell], mean);
+            ++tetrahedra;
+        }
+        begin = end;
+    }
+    EXPECT_EQ(tetrahedra, project.network->lattice->tetrahedra.size());
+}
+
+TEST_F(VtkFile, HoldsAModelWithoutSurface) {
     const VtpText file = exported(bareProject());
     EXPECT_EQ(file.count("Polys"), 0U);
     EXPECT_EQ(file.count("Lines"), bareProject().network->springs.size());
     EXPECT_EQ(file.count("Points"), bareProject().network->restPositions.size());
 }
 
-TEST_F(VtpFile, AnExportThatIsCancelledLeavesTheOldFile) {
+TEST_F(VtkFile, AnExportThatIsCancelledLeavesTheOldFile) {
     exported(bareProject());
     const Bytes before = readFile(m_file);
     EXPECT_THROW(
