@@ -36,6 +36,7 @@ void declareExport(CLI::App& command, ExportOptions& options) {
     std::vector<std::string> purposes, endings;
     for (const Exporter& exporter : exporters()) {
         words.emplace_back(exporter.name, &exporter);
+        if (!exporter.otherName.empty()) words.emplace_back(exporter.otherName, &exporter);
         purposes.push_back(exporter.name + ": " + exporter.purpose);
         endings.push_back(exporter.ending);
     }
@@ -69,7 +70,7 @@ void checkUse(const ExportOptions& options) {
     if (const std::string problem = endingProblem(options.output, exporter.ending); !problem.empty())
         throw UsageError("--output: " + problem);
     if (options.pictures.isFormatGiven && !exporter.holdsPictures)
-        throw UsageError("--pictures: a " + exporter.ending + " holds no pictures");
+        throw UsageError("--pictures: a " + exporter.ending + " holds no PNG or JPEG");
     checkPictures(options.pictures);
     checkEngine(options);
 }

@@ -447,7 +447,7 @@ class TextureTest(Case):
         for line, message in ((["texture", "bake", project, "--pictures", "jpeg", "--bits", "16"], "16 go with --pictures png"),
                               (["texture", "bake", project, "--quality", "80"], "goes with --pictures jpeg"),
                               (["export", project, "--to", "glb", "--quality", "80"], "goes with --pictures jpeg"),
-                              (["export", project, "--to", "vtp", "--pictures", "jpeg"], "a .vtp holds no pictures")):
+                              (["export", project, "--to", "vtp", "--pictures", "jpeg"], "a .vtp holds no PNG or JPEG")):
             self.assertIn(message, self.fails(2, *line, "-o", out))
         self.assertFalse(out.exists())
 

@@ -1,6 +1,7 @@
 #include "core/exchange/simulators/exporters.h"
 
 #include "core/exchange/model_package.h"
+#include "core/exchange/simulators/inventor_file.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/vtk_file.h"
 #include "core/support/errors.h"
@@ -35,7 +36,15 @@ const std::vector<Exporter>& exporters() {
          .holdsPictures = true,
          .isFolder = true,
          .isStepped = true,
-         .differences = sofaDifferences}};
+         .differences = sofaDifferences},
+        {.name = "iv",
+         .ending = ".iv",
+         .title = "Open Inventor files",
+         .purpose =
+             "textured surface and the spring-mass model in a node of its own, for Open Inventor and Coin",
+         .write = writeInventor,
+         .differences = inventorDifferences,
+         .otherName = "inventor"}};
     return all;
 }
 

@@ -25,6 +25,7 @@ struct Exporter {
     bool isStepped = false;     ///< says how to step the organ, by `HandoverMeans::engine`
     /// What of the organ will differ in the program that it is written for. Empty: nothing. @throws Cancelled
     std::function<Differences(const Handover& handover, const HandoverMeans& means)> differences = {};
+    std::string otherName = {}; ///< on the command line as well; empty without
 };
 
 const std::vector<Exporter>& exporters();
