@@ -2,6 +2,7 @@
 
 #include "core/exchange/model_package.h"
 #include "core/exchange/simulators/inventor_file.h"
+#include "core/exchange/simulators/obj_folder.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/vtk_file.h"
 #include "core/support/errors.h"
@@ -44,7 +45,15 @@ const std::vector<Exporter>& exporters() {
              "textured surface and the spring-mass model in a node of its own, for Open Inventor and Coin",
          .write = writeInventor,
          .differences = inventorDifferences,
-         .otherName = "inventor"}};
+         .otherName = "inventor"},
+        {.name = "obj",
+         .ending = ".tables",
+         .title = "OBJ and tables",
+         .purpose = "a folder with the surface as OBJ and all else as CSV, for spreadsheets and scripts",
+         .write = writeObjFolder,
+         .holdsPictures = true,
+         .isFolder = true,
+         .differences = objFolderDifferences}};
     return all;
 }
 

@@ -36,6 +36,24 @@ TEST(Exporters, AreFoundByTheEndingOfAFile) {
     }
 }
 
+/// All that is told of a project before it is written in that format.
+std::string toldOf(const Project& project, const std::string& file) {
+    std::string text;
+    for (const auto& [what, instead] : differencesOf(handoverOf(project), exporterFor(file)).list)
+        text += what + "; " + instead + "\n";
+    return text;
+}
+
+TEST(Exporters, TellWhatAFormatLeavesOut) {
+    EXPECT_THAT(toldOf(filledProject(), "a.vtp"), testing::HasSubstr("no cells for tetrahedra"));
+    EXPECT_EQ(toldOf(filledProject(), "a.vtu"), "");
+    EXPECT_THAT(toldOf(richProject(), "a.vtu"), testing::HasSubstr("no texture"));
+    for (const char* file : {"a.iv", "a.tables"}) {
+        EXPECT_THAT(toldOf(shiningProject(), file), testing::HasSubstr("how wet and rough")) << file;
+        EXPECT_EQ(toldOf(richProject(), file), "") << file;
+    }
+}
+
 TEST(Exporters, RefuseAProjectWithProblemsAndLeaveNoFile) {
     const TemporaryFolder folder;
     Project project = bareProject();
