@@ -25,11 +25,13 @@ std::optional<mode_t> permissionsOf(const fs::path& file) {
     return status.st_mode & 07777;
 }
 
-/// Renaming would replace what its owner has protected, and the superuser may write everywhere.
+/// Renaming would replace what its owner has protected, and the superuser may write everywhere. Of a file
+/// system that nothing may be written to the file is not to blame.
 bool isWriteProtected(const fs::path& file) {
     const std::optional<mode_t> permissions = permissionsOf(file);
-    return permissions &&
-           ((*permissions & 0222) == 0 || ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0);
+    if (!permissions) return false;
+    const bool isRefused = ::faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0 && errno != EROFS;
+    return (*permissions & 0222) == 0 || isRefused;
 }
 
 /// Where a path leads, or why it cannot be written.
