@@ -14,7 +14,8 @@ bool writeWhole(int descriptor, std::string_view data);
 
 /// A file written piece by piece that replaces its target whole or not at all. Until commit() the target is
 /// as it was; what was written goes away with the object, and on file systems that know nameless files even
-/// when the process is killed.
+/// when the process is killed. Of one that is killed in the moment between getting a name and taking the
+/// target's place the whole new file stays beside the target.
 class AtomicFile {
 public:
     /// @throws FileError when the folder is missing or read-only, or the target is no regular file, is
