@@ -265,6 +265,7 @@ void VtkParser::skipNumbers(std::size_t count, const NumberType& type) {
 }
 
 void VtkParser::parsePoints() {
+    if (!m_soup.vertices.empty()) fail("has a second list of POINTS, beside the one that its polygons name");
     const std::size_t count = nextCount();
     if (count > std::numeric_limits<std::uint32_t>::max()) fail("announces more points than can be numbered");
     const NumberType type = nextType();

@@ -122,6 +122,8 @@ TEST(VtkPolydata, NamesThePlaceOfWhatIsDamaged) {
     EXPECT_THAT(errorOf(header() + square + "POLYGONS 1 5\n3 0 1 2 0\n"), HasSubstr("add up"));
     EXPECT_THAT(errorOf(header() + square + "POLYGONS 1 4\n3 0 1 -2\n"), HasSubstr("-2"));
     EXPECT_THAT(errorOf(header() + square + "TETRAHEDRA 1 5\n"), HasSubstr("tetrahedra"));
+    EXPECT_THAT(errorOf(header() + square + "POLYGONS 1 4\n3 0 1 2\nPOINTS 1 float\n0 0 0\n"),
+                HasSubstr("second list of POINTS"));
     EXPECT_THAT(errorOf(header("BINARY") + "POINTS 9 float\nshort"),
                 AllOf(HasSubstr("cut off"), HasSubstr("byte")));
     const std::string five = header("ASCII", "5.1") + square;
