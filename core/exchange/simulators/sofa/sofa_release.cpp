@@ -3,8 +3,8 @@
 namespace esm {
 
 SofaRelease releaseOf(SofaVersion version) {
-    const bool isLate = version >= SofaVersion::V24_12;
-    const bool isNamedProjective = version >= SofaVersion::V24_06;
+    const bool isLate = version >= SofaVersion::December2024;
+    const bool isNamedProjective = version >= SofaVersion::June2024;
     return {.springField = isLate ? "SpringForceField" : "StiffSpringForceField",
             .fixedConstraint = isNamedProjective ? "FixedProjectiveConstraint" : "FixedConstraint",
             .movedConstraint =

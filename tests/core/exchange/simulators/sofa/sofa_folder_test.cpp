@@ -114,28 +114,28 @@ TEST_F(SofaFolder, HasTheTissueOfOrgansOfEveryKind) {
           biphasicProject(), boundProject({Detail::Kind::Nodes, 20}), boundProject({Detail::Kind::Rigid})})
         for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
             SCOPED_TRACE(project.name);
-            expectSameTissue(project, meansFor(SofaVersion::V26_06, damping));
+            expectSameTissue(project, meansFor(SofaVersion::June2026, damping));
         }
 }
 
 TEST_F(SofaFolder, DampsAWallThatBendsInEarlyReleases) {
     ASSERT_FALSE(evaluateModel(flatWall()).hinges.empty());
-    expectSameTissue(flatWall(), meansFor(SofaVersion::V24_06));
-    expectSameTissue(flatWall(), meansFor(SofaVersion::V24_06, Damping::Axial));
+    expectSameTissue(flatWall(), meansFor(SofaVersion::June2024));
+    expectSameTissue(flatWall(), meansFor(SofaVersion::June2024, Damping::Axial));
 }
 
 TEST_F(SofaFolder, NamesComponentsAsTheReleaseDoes) {
     Project project = richProject();
     project.scene.fixed = {{{0, 1}, std::nullopt}};
     project.scene.moves = {{5, {{0.1, {0, 0, 0}}, {0.2, {0.01, 0, 0}}}}};
-    const SofaReader early = exported(project, meansFor(SofaVersion::V23_12));
+    const SofaReader early = exported(project, meansFor(SofaVersion::December2023));
     EXPECT_THAT(early.only("FixedConstraint").numbers("indices"), testing::ElementsAre(0, 1));
     EXPECT_EQ(early.all("LinearMovementConstraint").size(), 1U);
     EXPECT_EQ(early.all("StiffSpringForceField").size(), 1U);
-    const SofaReader middle = exported(project, meansFor(SofaVersion::V24_06));
+    const SofaReader middle = exported(project, meansFor(SofaVersion::June2024));
     EXPECT_EQ(middle.all("FixedProjectiveConstraint").size(), 1U);
     EXPECT_EQ(middle.all("StiffSpringForceField").size(), 1U);
-    const SofaReader late = exported(project, meansFor(SofaVersion::V24_12));
+    const SofaReader late = exported(project, meansFor(SofaVersion::December2024));
     EXPECT_EQ(late.all("LinearMovementProjectiveConstraint").size(), 1U);
     EXPECT_EQ(late.all("SpringForceField").size(), 1U);
 }
@@ -155,7 +155,7 @@ TEST_F(SofaFolder, ForcesAndLedNodesKeepTheirTimes) {
     project.scene.gravity = {0, -9.81, 0};
     project.scene.forces = {{1, {0, 0, 2}, 0.1, 0.3}};
     project.scene.moves = {{0, {{0.2, {0.01, 0, 0}}, {0.4, {0, 0.02, 0}}}}};
-    const SofaReader scene = exported(project, meansFor(SofaVersion::V26_06));
+    const SofaReader scene = exported(project, meansFor(SofaVersion::June2026));
     EXPECT_THAT(scene.elements().front().numbers("gravity"), testing::ElementsAre(0, -9.81, 0));
     const SofaElement& force = scene.only("LinearForceField");
     EXPECT_THAT(force.numbers("points"), testing::ElementsAre(1));
@@ -205,13 +205,14 @@ TEST_F(SofaFolder, TellsWhatSofaDoesNot) {
     };
     Project untouched = makeSample("liver");
     untouched.scene.instruments.clear();
-    EXPECT_EQ(told(untouched, SofaVersion::V26_06), "");
-    EXPECT_THAT(told(biphasicProject(), SofaVersion::V24_06), testing::HasSubstr("24.12"));
-    EXPECT_THAT(told(biphasicProject(), SofaVersion::V24_12), testing::Not(testing::HasSubstr("24.12")));
-    EXPECT_THAT(told(makeSample("tube"), SofaVersion::V26_06), testing::HasSubstr("instrument"));
-    EXPECT_THAT(told(boundProject({Detail::Kind::Rigid}), SofaVersion::V26_06),
+    EXPECT_EQ(told(untouched, SofaVersion::June2026), "");
+    EXPECT_THAT(told(biphasicProject(), SofaVersion::June2024), testing::HasSubstr("24.12"));
+    EXPECT_THAT(told(biphasicProject(), SofaVersion::December2024),
+                testing::Not(testing::HasSubstr("24.12")));
+    EXPECT_THAT(told(makeSample("tube"), SofaVersion::June2026), testing::HasSubstr("instrument"));
+    EXPECT_THAT(told(boundProject({Detail::Kind::Rigid}), SofaVersion::June2026),
                 testing::HasSubstr("left out"));
-    EXPECT_THAT(told(boundProject({Detail::Kind::Nodes, 20}), SofaVersion::V26_06),
+    EXPECT_THAT(told(boundProject({Detail::Kind::Nodes, 20}), SofaVersion::June2026),
                 testing::HasSubstr("flat"));
     EXPECT_FALSE(std::filesystem::exists(m_written));
 }
