@@ -44,12 +44,13 @@ def read_glb(content):
         chunks.append((kind, content[place + 8:place + 8 + size]))
         place += 8 + size
     check([kind for kind, _ in chunks] == [0x4E4F534A, 0x004E4942], "the chunks are not JSON and BIN")
-    return json.loads(chunks[0][1].decode("utf-8")), chunks[1][1]
+    return chunks[0][1], chunks[1][1]
 
 
 class Gltf:
     def __init__(self, content):
-        self.json, self.binary = read_glb(content)
+        self.text, self.binary = read_glb(content)
+        self.json = json.loads(self.text.decode("utf-8"))
         self.arrays = {}
 
     def view(self, index):
@@ -138,6 +139,19 @@ def check_primitive(gltf, primitive, name):
         check(max(indices) < positions["count"], name + ": an index is out of range")
         corners = {0: 1, 1: 2, 4: 3}[primitive.get("mode", 4)]
         check(len(indices) % corners == 0, name + ": indices do not make whole triangles or lines")
+
+
+def check_checksums(gltf):
+    """CRC-32 of each buffer view; in the place of the last view, which holds the sums, that of the JSON part."""
+    place = gltf.json["extensions"]["ESM_spring_mass"].get("checksums")
+    if place is None:
+        return
+    sums, views = gltf.array(place), len(gltf.json["bufferViews"])
+    check(len(sums) == views, "there are %d check sums for %d bufferViews" % (len(sums), views))
+    check(gltf.json["accessors"][place]["bufferView"] == views - 1, "the check sums are not in the last bufferView")
+    for index in range(views - 1):
+        check(zlib.crc32(gltf.file(index)) == sums[index], "bufferView %d has another check sum" % index)
+    check(zlib.crc32(gltf.text) == sums[-1], "the JSON has another check sum")
 
 
 def check_gltf(gltf):
@@ -486,6 +500,7 @@ def main():
     with open(arguments.package, "rb") as stream:
         gltf = Gltf(stream.read())
     check_gltf(gltf)
+    check_checksums(gltf)
     package = Package(gltf)
     package.check()
     if arguments.project:

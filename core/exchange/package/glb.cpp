@@ -66,8 +66,14 @@ std::size_t announcedSize(const Bytes& file) {
 
 } // namespace
 
+std::string jsonPart(const Json& json) {
+    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    text.resize(paddedSize(text.size()), ' ');
+    return text;
+}
+
 Bytes writeGlb(const Glb& glb) {
-    const std::string text = glb.json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const std::string text = jsonPart(glb.json);
     Bytes file;
     const std::size_t size =
         headerSize + 2 * chunkHeaderSize + paddedSize(text.size()) + paddedSize(glb.binary.size());
@@ -160,6 +166,10 @@ std::size_t GltfArrays::addFile(const Bytes& content) {
     return addView(begin, GltfTarget::None);
 }
 
+std::size_t GltfArrays::views() const {
+    return m_glb.json["bufferViews"].size();
+}
+
 std::size_t GltfArrays::addView(std::size_t begin, GltfTarget target) {
     Json view{{"buffer", 0}, {"byteOffset", begin}, {"byteLength", m_glb.binary.size() - begin}};
     if (target != GltfTarget::None) view["target"] = static_cast<int>(target);
@@ -169,8 +179,15 @@ std::size_t GltfArrays::addView(std::size_t begin, GltfTarget target) {
     return views.size() - 1;
 }
 
-GltfArrayReader::GltfArrayReader(const Glb& glb, std::vector<std::string>& problems)
-    : m_glb(glb), m_problems(problems) {}
+GltfArrayReader::GltfArrayReader(const Glb& glb, std::vector<std::string>& problems,
+                                 std::vector<std::size_t> damaged)
+    : m_glb(glb), m_problems(problems), m_damaged(std::move(damaged)) {}
+
+bool GltfArrayReader::isDamaged(const JsonReader& bufferView) const {
+    const Json& place = bufferView.json();
+    return place.is_number_unsigned() &&
+           std::find(m_damaged.begin(), m_damaged.end(), place.get<std::size_t>()) != m_damaged.end();
+}
 
 JsonReader GltfArrayReader::element(const char* list, const JsonReader& reference) const {
     const auto found = m_glb.json.find(list);
@@ -189,7 +206,7 @@ std::size_t GltfArrayReader::count(const JsonReader& accessor) const {
         element("accessors", accessor).member("count").integer(1, m_glb.binary.size()));
 }
 
-GltfArrayReader::Span GltfArrayReader::view(const JsonReader& reference) const {
+std::span<const std::uint8_t> GltfArrayReader::view(const JsonReader& reference) const {
     const JsonReader json = element("bufferViews", reference);
     const std::size_t whole = m_glb.binary.size(), known = m_problems.size();
     json.member("buffer").integer(0, 0);
@@ -197,18 +214,23 @@ GltfArrayReader::Span GltfArrayReader::view(const JsonReader& reference) const {
     const std::size_t size = json.member("byteLength").integer(1, whole);
     if (json.has("byteStride")) json.addProblem("should have no byteStride");
     if (m_problems.size() == known && !json.json().is_null() && size <= whole - offset)
-        return {m_glb.binary.data() + offset, size};
+        return Span(m_glb.binary).subspan(offset, size);
     if (m_problems.size() == known) json.addProblem("reaches beyond the file's binary data");
-    return {nullptr, 0};
+    return {};
 }
 
 GltfArrayReader::Span GltfArrayReader::array(const JsonReader& reference, unsigned componentType,
                                              GltfType type, std::size_t count) const {
     const JsonReader json = element("accessors", reference);
-    if (json.json().is_null()) return {nullptr, 0};
-    const Span span = view(json.member("bufferView"));
+    if (json.json().is_null()) return {};
+    const JsonReader bytes = json.member("bufferView");
+    if (isDamaged(bytes)) {
+        reference.addProblem(damagedArray);
+        return {};
+    }
+    const Span span = view(bytes);
     const std::size_t known = m_problems.size();
-    const std::size_t offset = json.has("byteOffset") ? json.member("byteOffset").integer(0, span.size) : 0;
+    const std::size_t offset = json.has("byteOffset") ? json.member("byteOffset").integer(0, span.size()) : 0;
     const std::size_t size = count * componentsOf(type) * sizeof(float);
     if (json.member("componentType").integer(0, 65535) != componentType)
         json.addProblem("should have the componentType " + std::to_string(componentType));
@@ -217,19 +239,19 @@ GltfArrayReader::Span GltfArrayReader::array(const JsonReader& reference, unsign
     if (json.member("count").integer(0, m_glb.binary.size()) != count)
         json.addProblem("should have " + std::to_string(count) + " elements, for " + reference.place());
     if (json.has("sparse")) json.addProblem("should not be sparse");
-    if (m_problems.size() != known || !span.begin) return {nullptr, 0};
-    if (offset % sizeof(float) == 0 && size <= span.size - offset) return {span.begin + offset, size};
+    if (m_problems.size() != known || span.empty()) return {};
+    if (offset % sizeof(float) == 0 && size <= span.size() - offset) return span.subspan(offset, size);
     json.addProblem("reaches beyond its bufferView");
-    return {nullptr, 0};
+    return {};
 }
 
 std::vector<float> GltfArrayReader::floats(const JsonReader& accessor, GltfType type,
                                            std::size_t count) const {
     const Span span = array(accessor, float32Component, type, count);
     std::vector<float> values;
-    values.reserve(span.size / sizeof(float));
-    for (std::size_t i = 0; i < span.size; i += sizeof(float))
-        values.push_back(littleEndian<float>(span.begin + i));
+    values.reserve(span.size() / sizeof(float));
+    for (std::size_t i = 0; i < span.size(); i += sizeof(float))
+        values.push_back(littleEndian<float>(&span[i]));
     const auto bad =
         std::find_if(values.begin(), values.end(), [](float value) { return !std::isfinite(value); });
     if (bad == values.end()) return values;
@@ -241,9 +263,9 @@ std::vector<std::uint32_t> GltfArrayReader::indices(const JsonReader& accessor, 
                                                     std::size_t limit) const {
     const Span span = array(accessor, uint32Component, GltfType::Scalar, count);
     std::vector<std::uint32_t> values;
-    values.reserve(span.size / sizeof(std::uint32_t));
-    for (std::size_t i = 0; i < span.size; i += sizeof(std::uint32_t))
-        values.push_back(littleEndian<std::uint32_t>(span.begin + i));
+    values.reserve(span.size() / sizeof(std::uint32_t));
+    for (std::size_t i = 0; i < span.size(); i += sizeof(std::uint32_t))
+        values.push_back(littleEndian<std::uint32_t>(&span[i]));
     if (limit == 0 && !m_problems.empty()) return values;
     const auto bad =
         std::find_if(values.begin(), values.end(), [&](std::uint32_t value) { return value >= limit; });
@@ -255,8 +277,12 @@ std::vector<std::uint32_t> GltfArrayReader::indices(const JsonReader& accessor, 
 }
 
 Bytes GltfArrayReader::file(const JsonReader& bufferView) const {
+    if (isDamaged(bufferView)) {
+        bufferView.addProblem(damagedArray);
+        return {};
+    }
     const Span span = view(bufferView);
-    return Bytes(span.begin, span.begin + span.size);
+    return Bytes(span.begin(), span.end());
 }
 
 } // namespace esm

@@ -4,6 +4,7 @@
 #include "core/support/json_reader.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct Glb {
     Bytes binary;
 };
 
+/// The text of a JSON part, filled up with spaces to whole words of 4 bytes.
+std::string jsonPart(const nlohmann::ordered_json& json);
 Bytes writeGlb(const Glb& glb);  ///< @throws InvalidModel beyond the 4 GiB a GLB can hold
 Glb parseGlb(const Bytes& file); ///< @throws InvalidModel: not a GLB 2.0 file, cut off or followed by more
 
@@ -45,17 +48,25 @@ public:
     /// Buffer view of a file such as a picture.
     std::size_t addFile(const Bytes& content);
 
+    std::size_t views() const; ///< so far
+
 private:
     std::size_t addView(std::size_t begin, GltfTarget target);
 
     Glb& m_glb;
 };
 
+/// What is said of an array whose check sum is another.
+inline constexpr auto damagedArray =
+    "is damaged: its bytes are others than were written; copy the file again, or export it anew";
+
 /// Reads the arrays of a GLB that cannot be trusted: tightly packed accessors in its binary chunk.
 class GltfArrayReader {
 public:
     /// Both must outlive the reader.
-    GltfArrayReader(const Glb& glb, std::vector<std::string>& problems);
+    /// @param damaged places of buffer views that are not to be believed
+    GltfArrayReader(const Glb& glb, std::vector<std::string>& problems,
+                    std::vector<std::size_t> damaged = {});
 
     /// The value that `reference`, a place in the JSON's list `list`, speaks of.
     JsonReader element(const char* list, const JsonReader& reference) const;
@@ -68,18 +79,18 @@ public:
     /// `count` numbers below `limit`. Any, where what they count could not be read, which is told already.
     std::vector<std::uint32_t> indices(const JsonReader& accessor, std::size_t count,
                                        std::size_t limit) const;
+    /// The bytes of a buffer view. None, and a problem, where it is not in the file.
+    std::span<const std::uint8_t> view(const JsonReader& reference) const;
     Bytes file(const JsonReader& bufferView) const;
 
 private:
-    struct Span {
-        const std::uint8_t* begin;
-        std::size_t size;
-    };
-    Span view(const JsonReader& reference) const;
+    using Span = std::span<const std::uint8_t>;
+    bool isDamaged(const JsonReader& bufferView) const;
     Span array(const JsonReader& reference, unsigned componentType, GltfType type, std::size_t count) const;
 
     const Glb& m_glb;
     std::vector<std::string>& m_problems;
+    std::vector<std::size_t> m_damaged;
 };
 
 } // namespace esm

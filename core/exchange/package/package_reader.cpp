@@ -1,5 +1,6 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
+#include "core/exchange/package/package_checksums.h"
 #include "core/exchange/package/package_container.h"
 #include "core/exchange/package/package_drawn.h"
 #include "core/exchange/package/package_layout.h"
@@ -46,10 +47,12 @@ void checkStiffening(const JsonReader& extension, const ModelPackage& package) {
         extension.member("base").addProblem("should have the same stiffening as the package");
 }
 
-ModelPackage readContent(const Glb& glb, std::vector<std::string>& problems) {
+ModelPackage readContent(const Bytes& file, const Glb& glb, std::vector<std::string>& problems) {
     const JsonReader gltf(glb.json, "", problems), extension = springMassOf(gltf);
+    const std::vector<std::size_t> damaged = damagedViews(file, glb, problems);
+    if (!problems.empty()) return {};
     checkNamesOfExtension(gltf);
-    const GltfArrayReader arrays(glb, problems);
+    const GltfArrayReader arrays(glb, problems, damaged);
     ModelPackage package{readTissue(extension, arrays)};
     package.base = valueFrom<BaseTissue>(extension.member("base"));
     checkStiffening(extension, package);
@@ -57,6 +60,7 @@ ModelPackage readContent(const Glb& glb, std::vector<std::string>& problems) {
     checkVersion(extension, package);
     readValue(extension.member("baseColour"), package.baseColour, PlainForms());
     if (problems.empty()) readDrawn(extension, arrays, problems, package);
+    if (problems.empty()) problems = damageProblems(glb, damaged);
     return package;
 }
 
@@ -93,7 +97,7 @@ ReadPackage readPackage(const std::filesystem::path& file) {
     std::vector<std::string> problems;
     try {
         const Glb glb = parseGlb(content);
-        ModelPackage package = readContent(glb, problems);
+        ModelPackage package = readContent(content, glb, problems);
         const Project project = projectOf(package);
         if (problems.empty()) problems = problemsOf(package, project);
         std::vector<std::string> warnings = containerWarnings(glb);

@@ -1,5 +1,6 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
+#include "core/exchange/package/package_checksums.h"
 #include "core/exchange/package/package_layout.h"
 #include "core/exchange/package/package_materials.h"
 #include "core/exchange/package/page_vertices.h"
@@ -275,6 +276,7 @@ Glb PackageBuilder::build() {
                                                : drawnSurface(drawn);
     springMass["drawn"] = std::move(drawn);
     if (!m_from.preview.empty()) springMass["preview"] = addPreview();
+    springMass["checksums"] = addChecksums(m_arrays);
     gltf["scene"] = 0;
     gltf["scenes"].push_back({{"nodes", Json::array({0})}});
     gltf["nodes"].push_back({{"mesh", 0}, {"name", m_from.project.name}});
@@ -302,8 +304,9 @@ void writePackage(const Handover& handover, const std::filesystem::path& file, c
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);
     reportProgress(parts.next(0.05), 1);
     PackageBuilder builder(ingredients, parts.next(0.3));
-    const Glb glb = builder.build();
+    Glb glb = builder.build();
     if (!builder.problems().empty()) throw InvalidModel(builder.problems());
+    fillChecksums(glb);
     reportProgress(parts.next(0.01), 1);
     const Bytes content = writeGlb(glb);
     writeFileAtomically(file, content, parts.rest());

@@ -1,5 +1,6 @@
 #include "core/exchange/package/packaged_tissue.h"
 
+#include "core/exchange/package/package_checksums.h"
 #include "core/exchange/package/tissue_reader.h"
 #include "core/support/errors.h"
 #include "core/support/offenders.h"
@@ -13,7 +14,9 @@ PackagedTissue loadPackagedTissue(const std::filesystem::path& file) {
     try {
         const Glb glb = parseGlb(content);
         const JsonReader extension = springMassOf(JsonReader(glb.json, "", problems));
-        package = readTissue(extension, GltfArrayReader(glb, problems));
+        const std::vector<std::size_t> damaged = damagedViews(content, glb, problems);
+        if (problems.empty()) package = readTissue(extension, GltfArrayReader(glb, problems, damaged));
+        if (problems.empty()) problems = damageProblems(glb, damaged);
         if (problems.empty()) problems = validate(package);
     } catch (const InvalidModel& error) {
         problems = error.problems();

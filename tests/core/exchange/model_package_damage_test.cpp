@@ -20,7 +20,7 @@ TEST_F(ModelPackageFile, ABindingThatCannotCarryTheSurfaceIsRefused) {
         exportPackage(boundProject({Detail::Kind::Nodes, 20}), m_file);
         Glb glb = parseGlb(readFile(m_file));
         glb.json["extensions"]["ESM_spring_mass"]["binding"][key] = value;
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         return loadingError();
     };
     const Json extension = [&] {
@@ -47,7 +47,7 @@ TEST_F(ModelPackageFile, RowsOfNodesThatCannotCarryTheSurfaceAreRefused) {
         appendLittleEndian(bytes, number);
         std::copy(bytes.begin(), bytes.end(),
                   glb.binary.begin() + view.value("byteOffset", 0) + static_cast<std::ptrdiff_t>(4 * place));
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         EXPECT_THAT(validatePackage(m_file), testing::SizeIs(1)) << key << " " << number;
         EXPECT_THROW(loadPackagedTissue(m_file), FileError);
         return loadingError();
@@ -66,7 +66,7 @@ TEST_F(ModelPackageFile, RowsOfNodesOfOtherLengthsThanTheirArraysAreRefused) {
     const auto refusal = [&](const std::function<void(Json&)>& change) {
         Glb glb = whole;
         change(glb.json["extensions"]["ESM_spring_mass"]);
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         return loadingError();
     };
     const Json& extension = whole.json["extensions"]["ESM_spring_mass"];
@@ -87,7 +87,7 @@ TEST_F(ModelPackageFile, ASpringLawIsRefusedThatAReaderCouldMissOrTakeForAnother
         exportPackage(biphasicProject(), m_file);
         Glb glb = parseGlb(readFile(m_file));
         change(glb.json["extensions"]["ESM_spring_mass"]);
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         return loadingError();
     };
     EXPECT_THAT(refusal([](Json& extension) { extension.erase("stiffening"); }),
@@ -115,28 +115,11 @@ TEST_F(ModelPackageFile, AFileCutOffAnywhereIsRefused) {
     }
 }
 
-/// A GLB has no checksums: what loads must at least be a model that runs.
-TEST_F(ModelPackageFile, AFlippedByteIsRefusedOrLeavesASoundModel) {
-    exportPackage(richProject(), m_file);
-    const Bytes whole = readFile(m_file);
-    for (std::size_t place = 0; place < whole.size(); place += place < 12000 ? 11 : 97) {
-        Bytes damaged = whole;
-        damaged[place] = static_cast<std::uint8_t>(damaged[place] ^ (1U << (place % 8)));
-        overwrite(m_file, damaged);
-        try {
-            const ModelPackage package = loadPackage(m_file);
-            ASSERT_THAT(validate(package.tissue), testing::IsEmpty()) << "byte " << place;
-        } catch (const FileError&) {
-            continue;
-        }
-    }
-}
-
 TEST_F(ModelPackageFile, AFuzzySystemIsRefusedThatAReaderWouldInferOtherwise) {
     exportPackage(extendedInferenceProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));
     glb.json["extensions"]["ESM_spring_mass"]["version"] = 3;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("version should be 4"));
 }
 
@@ -144,7 +127,7 @@ TEST_F(ModelPackageFile, ASoftRimIsRefusedThatAReaderWouldTakeForSharp) {
     exportPackage(softProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));
     glb.json["extensions"]["ESM_spring_mass"]["version"] = 4;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("version should be 5"));
 }
 
@@ -214,7 +197,7 @@ TEST_F(ModelPackageFile, AnyWrongValueIsRefusedByItsName) {
         const std::string pointer = damage.pointer;
         Json& target = pointer[1] == '/' ? glb.json : glb.json["extensions"]["ESM_spring_mass"];
         target[Json::json_pointer(pointer[1] == '/' ? pointer.substr(1) : pointer)] = damage.value;
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         const std::string message = loadingError();
         EXPECT_THAT(message, testing::AllOf(HasSubstr("organ.glb: "), HasSubstr(damage.named)))
             << damage.pointer << " = " << damage.value;
@@ -230,7 +213,7 @@ TEST_F(ModelPackageFile, PagesHaveAPictureEach) {
     exportPackage(project, m_file);
     Glb glb = parseGlb(readFile(m_file));
     glb.json["textures"][2]["source"] = 1;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("images/1 is the picture of two pages"));
 }
 
@@ -243,11 +226,11 @@ TEST_F(ModelPackageFile, AFinishOfPagesThatAreNotThereIsRefused) {
     Glb glb = parseGlb(readFile(m_file));
     Json& surface = glb.json["materials"][0]["pbrMetallicRoughness"];
     surface["metallicRoughnessTexture"] = {{"index", 0}};
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("without a texture"));
     surface.erase("metallicRoughnessTexture");
     surface["roughnessFactor"] = 1.5;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("the roughness must be from 0 to 1"));
 }
 
@@ -255,7 +238,7 @@ TEST_F(ModelPackageFile, PicturesOfAFinishAreEachOfOnePage) {
     exportPackage(shiningProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));
     glb.json["textures"][2]["source"] = glb.json["textures"][1]["source"]; // normals
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("is the picture of two pages"));
 }
 
@@ -265,7 +248,7 @@ TEST_F(ModelPackageFile, PagesThatDrawATriangleTwiceAreNotDecoded) {
     Json& drawn = glb.json["extensions"]["ESM_spring_mass"]["drawn"];
     drawn.push_back(drawn[0]);
     glb.json["images"][0]["bufferView"] = 0; // no picture
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(validatePackage(m_file),
                 testing::ElementsAre(HasSubstr("every triangle of the surface once")));
 }
@@ -277,7 +260,7 @@ TEST_F(ModelPackageFile, ValidationFindsAllProblemsAtOnce) {
     extension["damping"] = "none";
     extension["springs"]["restLength"] = 9999;
     extension["base"]["mass"] = "heavy";
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     const std::string problems = testing::PrintToString(validatePackage(m_file));
     for (const char* named : {"damping", "restLength", "mass"})
         EXPECT_THAT(problems, HasSubstr(named));
@@ -290,7 +273,7 @@ TEST_F(ModelPackageFile, WhatRefersToADamagedArrayIsNoFurtherProblem) {
                                 "/surface/restPosition", "/tethers/nodes"}) {
         Glb glb = whole;
         glb.json["extensions"]["ESM_spring_mass"].at(Json::json_pointer(damaged)) = 9999;
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         EXPECT_THAT(validatePackage(m_file), testing::SizeIs(1)) << damaged;
     }
 }
@@ -299,7 +282,7 @@ TEST_F(ModelPackageFile, AnUnknownIntegratorIsLeftOutAndNamed) {
     exportPackage(richProject(), m_file);
     Glb glb = parseGlb(readFile(m_file));
     glb.json["extensions"]["ESM_spring_mass"]["stepping"]["integrator"] = "leapfrog";
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(validatePackage(m_file), testing::ElementsAre(HasSubstr("leapfrog")));
     const OpenedPackage opened = openPackage(m_file);
     EXPECT_FALSE(opened.package.stepping);
@@ -312,7 +295,7 @@ TEST_F(ModelPackageFile, WhatIsMissingIsNamedOnce) {
     for (const char* missing : {"version", "damping", "surface", "nodes"}) {
         Glb glb = whole;
         glb.json["extensions"]["ESM_spring_mass"].erase(missing);
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         const std::vector<std::string> problems = validatePackage(m_file);
         EXPECT_EQ(std::set<std::string>(problems.begin(), problems.end()).size(), problems.size()) << missing;
         EXPECT_THAT(problems, testing::Contains(HasSubstr(missing + std::string(" is missing"))));

@@ -44,7 +44,7 @@ TEST_F(ModelPackageFile, HingesThatAreNoneAreRefused) {
     const auto refusal = [&](const char* group, const char* key, const Json& value) {
         Glb glb = whole;
         glb.json["extensions"]["ESM_spring_mass"][group][key] = value;
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         EXPECT_THROW(loadPackagedTissue(m_file), FileError) << key << value;
         return loadingError();
     };
@@ -60,7 +60,7 @@ TEST_F(ModelPackageFile, AVersionThatKnewNoHingesIsRefused) {
     Glb glb = parseGlb(readFile(m_file));
     EXPECT_EQ(glb.json["extensions"]["ESM_spring_mass"]["version"], 9);
     glb.json["extensions"]["ESM_spring_mass"]["version"] = 8;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("should be 9"));
 }
 

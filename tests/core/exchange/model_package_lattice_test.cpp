@@ -28,7 +28,7 @@ TEST_F(ModelPackageFile, ALatticeThatIsNoneIsRefused) {
     const auto refusal = [&](const char* key, const Json& value) {
         Glb glb = whole;
         glb.json["extensions"]["ESM_spring_mass"]["lattice"][key] = value;
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         EXPECT_THROW(loadPackagedTissue(m_file), FileError) << key << value;
         return loadingError();
     };
@@ -47,7 +47,7 @@ TEST_F(ModelPackageFile, ALatticeWithAnotherSurfaceIsRefused) {
     Glb glb = parseGlb(readFile(m_file));
     Json& lattice = glb.json["extensions"]["ESM_spring_mass"]["lattice"];
     lattice["triangleCount"] = 0;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("lattice.triangles"));
     EXPECT_THROW(loadPackagedTissue(m_file), FileError);
 }

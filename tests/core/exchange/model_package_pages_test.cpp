@@ -185,11 +185,11 @@ TEST_F(ModelPackageFile, AnUnknownLayoutOrTooLowAVersionForItsOwnIsNamed) {
     Glb glb = parseGlb(readFile(m_file));
     Json& extension = glb.json["extensions"]["ESM_spring_mass"];
     extension["version"] = 6;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("version should be 7"));
     extension["version"] = 7;
     extension["texture"]["layout"] = "spiral";
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("texture.layout should be"));
 }
 

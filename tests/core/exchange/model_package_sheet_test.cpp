@@ -27,7 +27,7 @@ TEST_F(ModelPackageFile, SharesOfASheetThatAreNoneAreRefused) {
         Glb glb = whole;
         Json& extension = glb.json["extensions"]["ESM_spring_mass"];
         extension["sheet"][key] = Json(extension["nodes"][other]);
-        overwrite(m_file, writeGlb(glb));
+        rewrite(glb);
         EXPECT_THROW(loadPackagedTissue(m_file), FileError) << key;
         return loadingError();
     };

@@ -52,7 +52,7 @@ TEST_F(ModelPackageFile, APreviewThatIsNoneOrFillsTheMemoryIsRefused) {
     EXPECT_THAT(loadingError(), HasSubstr("at most 4096 pixels"));
     Glb glb = parseGlb(readFile(m_file));
     glb.json["extensions"]["ESM_spring_mass"]["preview"] = 99;
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     EXPECT_THAT(loadingError(), HasSubstr("preview"));
 }
 
@@ -166,7 +166,7 @@ TEST_F(ModelPackageFile, OpensWithAWarningWhatViewersShowOtherwise) {
     Glb glb = parseGlb(readFile(m_file));
     glb.json["nodes"][0]["scale"] = {1000, 1000, 1000};
     glb.json["images"][0]["uri"] = "skin.png";
-    overwrite(m_file, writeGlb(glb));
+    rewrite(glb);
     const OpenedPackage opened = openPackage(m_file);
     expectSameTissue(opened.package.tissue, evaluateModel(richProject()));
     EXPECT_THAT(opened.warnings,
