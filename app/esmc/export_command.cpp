@@ -1,4 +1,5 @@
 #include "app/esmc/arguments.h"
+#include "app/esmc/authorship_options.h"
 #include "app/esmc/commands.h"
 #include "app/esmc/opened_file.h"
 #include "app/esmc/picture_options.h"
@@ -14,6 +15,7 @@ struct ExportOptions {
     std::string project, output;
     const Exporter* exporter = nullptr;
     PictureOptions pictures;
+    Authorship authorship;
     EngineSettings engine;
     CLI::App* command = nullptr; ///< that was told which options were given
     bool isDryRun = false;
@@ -45,6 +47,7 @@ void declareExport(CLI::App& command, ExportOptions& options) {
     command.add_option("-o,--output", options.output, "File or folder to write (" + joined(endings) + ")")
         ->required();
     declarePictures(command, options.pictures);
+    declareAuthorship(command, options.authorship);
     declareEngine(command, options.engine);
     command.add_flag("--dry-run", options.isDryRun, "Say what will differ, and write nothing");
 }
@@ -71,7 +74,11 @@ void checkUse(const ExportOptions& options) {
         throw UsageError("--output: " + problem);
     if (options.pictures.isFormatGiven && !exporter.holdsPictures)
         throw UsageError("--pictures: a " + exporter.ending + " holds no PNG or JPEG");
+    if (const std::string given = givenAuthorship(options.authorship);
+        !given.empty() && !exporter.holdsAuthorship)
+        throw UsageError(given + ": a " + exporter.ending + " does not say where it comes from");
     checkPictures(options.pictures);
+    checkAuthorship(options.authorship);
     checkEngine(options);
 }
 
@@ -109,7 +116,8 @@ Report runExport(const ExportOptions& options, Context& context) {
     const Project project = openedProject(options.project, context);
     ProgressParts parts(progressOf(context, "exporting"));
     const Handover handover = handoverFor(options.output, project, parts.next(0.2));
-    HandoverMeans means{parts.next(0.1), previewPicture, options.pictures.encoding, options.engine};
+    HandoverMeans means{parts.next(0.1), previewPicture, options.pictures.encoding, options.engine,
+                        options.authorship};
     const Differences differences = differencesOf(handover, *options.exporter, means);
     Report report;
     if (project.stepping && isFromOtherTissue(*project.stepping, handover.tissue))

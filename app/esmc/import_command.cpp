@@ -132,6 +132,7 @@ Report runImport(const ImportOptions& options, Context& context) {
     context.subject = options.mesh;
     const ProjectOutput output(options.output);
     PolygonSoup soup = readMeshFile(options.mesh, progressOf(context, "reading"));
+    const MeshSource source = meshSourceOf(options.mesh, progressOf(context, "reading"));
     convertToMetres(soup, options.unit, options.up);
     RepairedMesh surface = repair(soup, repairOptions(options, soup), progressOf(context, "repairing"));
     const double size = boundingBox(surface.mesh.vertices).sizes().maxCoeff();
@@ -140,6 +141,7 @@ Report runImport(const ImportOptions& options, Context& context) {
     const Detail detail = detailFor(options, surface.mesh);
     Project project = makeProject(std::filesystem::path(options.mesh).stem().string(), std::move(surface),
                                   options.mass, detail, progressOf(context, "building"));
+    project.source = source;
     setBending(project, options.bending);
     const bool isFilled = detail.filling && !isWall(*detail.filling);
     const NarrowCrossings crossings = isFilled ? narrowCrossings(*project.mesh, *detail.filling,

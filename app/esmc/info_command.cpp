@@ -136,6 +136,22 @@ void addPreview(Report& report, const Image& preview) {
                           std::to_string(preview.height) + " pixels");
 }
 
+void addSource(Report& report, const std::optional<MeshSource>& source) {
+    report.json["source"] = source ? writtenFields(*source) : Json();
+    if (source) report.text.push_back("imported from " + source->file + ", SHA-256 " + source->sha256);
+}
+
+/// Who made a package, by its own word.
+void addAuthorship(Report& report, const std::optional<Provenance>& provenance) {
+    const Authorship authorship = provenance ? provenance->authorship : Authorship();
+    report.json["program"] = provenance ? Json(provenance->program) : Json();
+    forEachField(fieldsOf<Authorship>, [&](const auto& field) {
+        const std::string& statement = authorship.*field.member;
+        report.json[field.key] = statement.empty() ? Json() : Json(statement);
+        if (!statement.empty()) report.text.push_back(std::string(field.key) + ": " + statement);
+    });
+}
+
 Report describePackage(const std::filesystem::path& file, Context& context) {
     const ModelPackage package = openedPackage(file, context);
     Report report = modelReport(package);
@@ -145,6 +161,8 @@ Report describePackage(const std::filesystem::path& file, Context& context) {
     report.json["photos"] = Json::array();
     addTextures(report, package.textures.size());
     addPreview(report, package.preview);
+    addSource(report, package.provenance ? package.provenance->source : std::nullopt);
+    addAuthorship(report, package.provenance);
     addSpringLaw(report, package.tissue.stiffening);
     addBending(report, package.base, *package.tissue.network);
     addHolds(report, package.tissue, false);
@@ -188,6 +206,7 @@ Report describeProject(const std::filesystem::path& file, Context& context) {
         report.text.push_back(layerInText(layer));
     }
     report.json["photos"] = std::move(photos);
+    addSource(report, project.source);
     addTextures(report, project.atlas ? static_cast<std::size_t>(project.texture.atlas.pages) : 0);
     const TissueModel tissue = evaluateModel(project);
     addSpringLaw(report, tissue.stiffening);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/geometry/mesh_source.h"
 #include "core/geometry/repair.h"
 #include "core/model/detail.h"
 #include "core/model/scene.h"
@@ -82,6 +83,7 @@ struct Project {
     TextureSettings texture;
     std::shared_ptr<const Atlas> atlas; ///< null until packed
     std::optional<EditorState> editor;  ///< none until saved by the editor
+    std::optional<MeshSource> source{}; ///< that the mesh was imported from; none of what was made otherwise
 
     bool operator==(const Project&) const = default;
 };

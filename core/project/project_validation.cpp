@@ -84,6 +84,7 @@ Problems partProblems(const Project& project) {
         return {"the project has no organ; import a mesh"};
     Problems problems;
     addUnder(problems, "mesh", validate(*project.mesh));
+    if (project.source) addUnder(problems, "source", validate(*project.source));
     addUnder(problems, "model", networkProblems(project));
     addUnder(problems, "scene", validate(project.scene, project.network->restPositions.size()));
     if (project.stepping) addUnder(problems, "stepping", validate(*project.stepping));

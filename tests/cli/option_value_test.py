@@ -94,7 +94,9 @@ COMMANDS = {
     "export organ.esm --to glb": {"project": FILE, "-o": ["-", "out.esm", ""], "--to": ["stl", "GLB", ""],
                                "--pictures": ["gif", "PNG", ""], "--quality": WHOLE + ["0", "101", "50"],
                                "--dt": ["0", "-1", "x", "nan", "auto", ""], "--damping": ["none", "AXIAL", ""],
-                               "--sofa": ["22.06", "26", ""], "--dry-run": None},
+                               "--sofa": ["22.06", "26", ""], "--dry-run": None,
+                               "--title": ["", "t" * 1001, "two\nlines"], "--author": [""], "--licence": [""],
+                               "--date": ["today", "26", "2026-13", "2026-02-30", "2026-5-1", "2026-05-17T10:00", ""]},
     "validate organ.esm": {"file": FILE},
     "render organ.esm": {
         "project": FILE, "-o": ["-", "out.jpg", ""], "--size": ["x", "10", "10x", "0x10", "10x99999", "1e2x9", ""],

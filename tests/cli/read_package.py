@@ -154,6 +154,32 @@ def check_checksums(gltf):
     check(zlib.crc32(gltf.text) == sums[-1], "the JSON has another check sum")
 
 
+XMP = "KHR_xmp_json_ld"
+
+
+def check_provenance(document):
+    """The same is said in the extension and, where it goes beyond the program, as XMP."""
+    provenance = document["extensions"]["ESM_spring_mass"].get("provenance")
+    if provenance is None:
+        return
+    check(provenance["program"] == document["asset"]["generator"], "another program than the generator")
+    if "source" in provenance:
+        check(len(bytes.fromhex(provenance["source"]["sha256"])) == 32, "no SHA-256")
+    if set(provenance) == {"program"}:
+        check(XMP not in document["extensionsUsed"], "an XMP packet that says nothing")
+        return
+    packet = document["extensions"][XMP]["packets"][document["asset"]["extensions"][XMP]["packet"]]
+    check(XMP in document["extensionsUsed"], "extensionsUsed does not name " + XMP)
+    told = {"title": packet.get("dc:title", {}).get("rdf:_1", {}).get("@value"),
+            "author": packet.get("dc:creator", {}).get("@list", [None])[0], "date": packet.get("xmp:CreateDate"),
+            "licence": packet.get("dc:rights", {}).get("rdf:_1", {}).get("@value"),
+            "source": packet.get("dc:source"), "program": packet["xmp:CreatorTool"]}
+    here = dict(provenance, source=provenance.get("source", {}).get("file"))
+    check(told == {key: here.get(key) for key in told}, "XMP says otherwise than the package")
+    prefixes = {key.split(":")[0] for key in packet if ":" in key}
+    check(prefixes < set(packet["@context"]), "an XMP prefix is not in the context")
+
+
 def check_gltf(gltf):
     document = gltf.json
     check(document["asset"]["version"] == "2.0", "asset.version is not 2.0")
@@ -501,6 +527,7 @@ def main():
         gltf = Gltf(stream.read())
     check_gltf(gltf)
     check_checksums(gltf)
+    check_provenance(gltf.json)
     package = Package(gltf)
     package.check()
     if arguments.project:

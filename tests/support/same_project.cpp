@@ -74,6 +74,7 @@ void expectSameMesh(const Project& a, const Project& b) {
     expectSameSheet(a.network->sheet, b.network->sheet);
     ASSERT_EQ(a.network->lattice.has_value(), b.network->lattice.has_value());
     if (a.network->lattice) expectSameLattice(*a.network->lattice, *b.network->lattice);
+    EXPECT_EQ(a.source, b.source);
     forEachField(fieldsOf<RepairReport>, [&](const auto& field) {
         EXPECT_EQ((*a.importReport).*field.member, (*b.importReport).*field.member) << field.key;
     });

@@ -39,7 +39,7 @@ Change difference(const Project& before, const Project& after) {
     Change change;
     change.name = before.name != after.name;
     change.mesh = before.mesh != after.mesh || before.network != after.network ||
-                  before.importReport != after.importReport;
+                  before.importReport != after.importReport || before.source != after.source;
     change.tissue = before.base != after.base;
     change.regions = before.regions != after.regions;
     change.regionTissue = !std::equal(before.regions.begin(), before.regions.end(), after.regions.begin(),

@@ -17,6 +17,7 @@ namespace {
 
 /// A file's surface as it is written there, and as it would be imported.
 struct ReadSurface {
+    MeshSource source;
     std::shared_ptr<const PolygonSoup> soup;
     std::shared_ptr<const ImportedSurface> found;
 };
@@ -24,7 +25,8 @@ struct ReadSurface {
 ReadSurface readSurface(const std::filesystem::path& file, const Progress& progress) {
     ProgressParts parts(progress);
     ReadSurface read;
-    read.soup = std::make_shared<const PolygonSoup>(readMeshFile(file, parts.next(0.5)));
+    read.soup = std::make_shared<const PolygonSoup>(readMeshFile(file, parts.next(0.4)));
+    read.source = meshSourceOf(file, parts.next(0.1));
     read.found = std::make_shared<const ImportedSurface>(importedSurface(*read.soup, {}, parts.rest()));
     return read;
 }
@@ -48,14 +50,16 @@ Detail detailFor(const TriangleMesh& mesh, Detail detail, const Progress& progre
     return detail;
 }
 
-Project organOf(const PolygonSoup& soup, const std::string& name, const ImportChoice& choice,
+Project organOf(const PolygonSoup& soup, const MeshSource& source, const ImportChoice& choice,
                 const Progress& progress) {
     ProgressParts parts(progress);
     PolygonSoup metres = soup;
     convertToMetres(metres, choice.unit, choice.up);
     RepairedMesh mesh = repair(metres, repairOptions(choice), parts.next(0.5));
     const Detail detail = detailFor(mesh.mesh, choice.body.detail, parts.next(0.1));
-    Project project = makeProject(name, std::move(mesh), std::nullopt, detail, parts.rest());
+    Project project = makeProject(std::filesystem::path(source.file).stem().string(), std::move(mesh),
+                                  std::nullopt, detail, parts.rest());
+    project.source = source;
     project.base.resistsBending = choice.body.resistsBending;
     return project;
 }
@@ -83,18 +87,18 @@ void ImportController::importMesh(const std::filesystem::path& file) {
         bool mayLeave = false;
         while (ask(m_window, [&] { return dialog.exec(); }) == QDialog::Accepted) {
             mayLeave = mayLeave || m_mayLeaveProject();
-            if (!mayLeave || importAs(dialog.choice(), *read.soup, file)) break;
+            if (!mayLeave || importAs(dialog.choice(), *read.soup, read.source, file)) break;
         }
         runLongWork(&m_window, tr("Closing the import"), [&](const Progress&) { dialog.stopWork(); });
     });
 }
 
-bool ImportController::importAs(const ImportChoice& choice, const PolygonSoup& soup,
+bool ImportController::importAs(const ImportChoice& choice, const PolygonSoup& soup, const MeshSource& source,
                                 const std::filesystem::path& file) {
     return attempt(&m_window, tr("The surface cannot be imported so"), [&] {
         Project project = computeLong(
             &m_window, tr("Importing %1").arg(fileName(file)),
-            [&](const Progress& progress) { return organOf(soup, file.stem().string(), choice, progress); },
+            [&](const Progress& progress) { return organOf(soup, source, choice, progress); },
             Cancelling::Offered);
         m_document.replace(std::move(project), std::nullopt, Origin::Unsaved,
                            {{}, std::filesystem::path(file).replace_extension(".esm")});

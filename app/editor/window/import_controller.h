@@ -28,7 +28,8 @@ signals:
 
 private:
     /// False where no such organ can be made, which is said, or the work was cancelled: the question stays.
-    bool importAs(const ImportChoice& choice, const PolygonSoup& soup, const std::filesystem::path& file);
+    bool importAs(const ImportChoice& choice, const PolygonSoup& soup, const MeshSource& source,
+                  const std::filesystem::path& file);
 
     QWidget& m_window;
     Document& m_document;

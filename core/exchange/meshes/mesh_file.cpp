@@ -3,6 +3,7 @@
 #include "core/decoding/decoder_process.h"
 #include "core/exchange/meshes/mesh_stream.h"
 #include "core/support/errors.h"
+#include "core/support/sha256.h"
 
 namespace esm {
 
@@ -27,6 +28,12 @@ PolygonSoup readMeshFile(const fs::path& file, const Progress& progress) {
     const DecodingTask task{file, {"mesh", file.string()}, nullptr, limitsFor(file)};
     DecodedStream stream = decodeApart(task, progress);
     return readSoup(stream);
+}
+
+MeshSource meshSourceOf(const fs::path& file, const Progress& progress) {
+    ProgressParts parts(progress);
+    const Bytes content = readFile(file, largestFile, parts.next(0.2));
+    return {file.filename().string(), sha256Of(content, parts.rest())};
 }
 
 Eigen::Matrix3d turnedUp(UpAxis up) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/geometry/length_unit.h"
+#include "core/geometry/mesh_source.h"
 #include "core/geometry/polygon_soup.h"
 #include "core/support/progress.h"
 #include "core/support/words.h"
@@ -31,6 +32,10 @@ inline constexpr auto wordsOf<UpAxis> = std::array{Word{UpAxis::Y, "y"},
 /// @throws FileError: missing, empty, truncated, of an unknown format, without a triangle, not finite, or
 /// beyond what reading it may take of memory and time; Cancelled
 PolygonSoup readMeshFile(const std::filesystem::path& file, const Progress& progress = {});
+
+/// Names the file, with the sum of its bytes; of what lies beside it, as buffers of a .gltf, there is none.
+/// @throws FileError: missing or unreadable; Cancelled
+MeshSource meshSourceOf(const std::filesystem::path& file, const Progress& progress = {});
 
 /// Turns so that the direction becomes y, by whole quarters about one axis: all entries are 0, 1 or −1.
 Eigen::Matrix3d turnedUp(UpAxis up);

@@ -84,6 +84,8 @@ std::vector<std::string> problemsOf(const ModelPackage& package, const Project& 
     for (std::string& problem : validate(package.tissue))
         if (std::find(problems.begin(), problems.end(), problem) == problems.end())
             problems.push_back(std::move(problem));
+    for (std::string& problem : descriptionProblems(package))
+        problems.push_back(std::move(problem));
     return problems;
 }
 

@@ -5,6 +5,7 @@
 #include "core/exchange/package/package_materials.h"
 #include "core/exchange/package/page_vertices.h"
 #include "core/exchange/package/tissue_writer.h"
+#include "core/exchange/package/xmp_packet.h"
 #include "core/exchange/picture_encoding.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
@@ -30,7 +31,10 @@ struct Ingredients {
     std::vector<Image> occlusion; ///< a page each; empty: not asked for
     Image preview;                ///< empty: none
     PictureEncoding pictures;     ///< of the pages' colours
+    Provenance provenance;
 };
+
+constexpr const char* program = "Elastodynamic Shape Modeler " ESM_VERSION;
 
 constexpr double pagesShare = 0.8; ///< of building, that the pictures of pages take
 
@@ -68,6 +72,7 @@ private:
     std::size_t addTexture(const std::string& name, const Image& page, const PictureEncoding& encoding,
                            const Progress& progress);
     std::size_t addPreview();
+    void addProvenance();
 
     const Ingredients& m_from;
     const SpringNetwork& m_network;
@@ -134,6 +139,7 @@ Json PackageBuilder::extension() {
     json["regions"] = std::move(regions.regions);
     if (project.stepping) json["stepping"] = toJson(*project.stepping);
     json["baseColour"] = project.texture.baseColour;
+    json["provenance"] = writtenFields(m_from.provenance);
     if (m_from.pages.colours) json["texture"] = textureOf(*m_from.project.atlas);
     return json;
 }
@@ -262,13 +268,22 @@ Json PackageBuilder::drawnNetwork(Json& drawn) {
     return Json::array({std::move(primitive)});
 }
 
+/// For programs that know XMP and not this package. What every package of the program would say needs none.
+void PackageBuilder::addProvenance() {
+    const Provenance& provenance = m_from.provenance;
+    if (!provenance.source && provenance.authorship == Authorship()) return;
+    m_glb.json["extensionsUsed"].push_back(xmpExtension);
+    m_glb.json["asset"]["extensions"][xmpExtension] = {{"packet", 0}};
+    m_glb.json["extensions"][xmpExtension]["packets"] = Json::array({xmpPacket(provenance)});
+}
+
 Glb PackageBuilder::build() {
     Json& gltf = m_glb.json;
-    gltf["asset"] = {{"version", "2.0"},
-                     {"generator", std::string("Elastodynamic Shape Modeler ") + ESM_VERSION}};
+    gltf["asset"] = {{"version", "2.0"}, {"generator", m_from.provenance.program}};
     gltf["extensionsUsed"] = Json::array({package_layout::extension});
     if (m_from.pages.finish || (m_from.project.texture.finish && !m_mesh.triangles.empty()))
         gltf["extensionsUsed"].push_back(clearcoatExtension);
+    addProvenance();
     Json springMass = extension(), drawn = Json::array();
     reportProgress(m_parts.next(1 - pagesShare), 1);
     Json primitives = m_mesh.triangles.empty() ? drawnNetwork(drawn)
@@ -294,11 +309,12 @@ Glb PackageBuilder::build() {
 void writePackage(const Handover& handover, const std::filesystem::path& file, const HandoverMeans& means) {
     const auto& [project, tissue] = handover;
     ProgressParts parts(means.progress);
+    if (auto problems = validate(means.authorship); !problems.empty()) throw InvalidModel(problems);
     const double reach = project.texture.occlusionReach;
     const bool isShaded = project.atlas && reach > 0;
-    Ingredients ingredients{
-        project, tissue, bakedPages(project, parts.next(!project.atlas ? 0 : isShaded ? 0.3 : 0.6)),
-        {},      {},     means.pictures};
+    BakedPages pages = bakedPages(project, parts.next(!project.atlas ? 0 : isShaded ? 0.3 : 0.6));
+    const Provenance provenance{program, project.source, means.authorship};
+    Ingredients ingredients{project, tissue, std::move(pages), {}, {}, means.pictures, provenance};
     if (isShaded)
         ingredients.occlusion = occlusionPages(*project.mesh, *project.atlas, reach, parts.next(0.3));
     if (means.drawPreview) ingredients.preview = means.drawPreview(project, ingredients.pages);

@@ -25,10 +25,16 @@ PackagedTissue loadPackagedTissue(const std::filesystem::path& file) {
     return package;
 }
 
+std::vector<std::string> descriptionProblems(const PackagedTissue& package) {
+    std::vector<std::string> problems;
+    if (package.provenance) addUnder(problems, "provenance", validate(*package.provenance));
+    return problems;
+}
+
 std::vector<std::string> validate(const PackagedTissue& package) {
     std::vector<std::string> problems = validate(package.mesh);
-    for (const auto& found :
-         {carryingProblems(package.mesh, *package.tissue.network), validate(package.tissue)})
+    for (const auto& found : {carryingProblems(package.mesh, *package.tissue.network),
+                              validate(package.tissue), descriptionProblems(package)})
         problems.insert(problems.end(), found.begin(), found.end());
     if (package.stepping) addUnder(problems, "stepping", validate(*package.stepping));
     return problems;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/exchange/provenance.h"
 #include "core/geometry/triangle_mesh.h"
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
@@ -20,10 +21,14 @@ struct PackagedTissue {
     TriangleMesh mesh; ///< drawn triangles over the welded vertices
     TissueModel tissue;
     std::optional<MeasuredStepping> stepping; ///< that is recommended
+    std::optional<Provenance> provenance{};   ///< none in files of before there was any
 };
 
 /// Reads it without decoding any picture. @throws FileError: damaged, not a model package, of a newer version
 PackagedTissue loadPackagedTissue(const std::filesystem::path& file);
+
+/// Problems of what a package says of its tissue beyond what moves it.
+std::vector<std::string> descriptionProblems(const PackagedTissue& package);
 
 /// Every problem of the tissue, of the surface, and of how one carries the other.
 std::vector<std::string> validate(const PackagedTissue& package);

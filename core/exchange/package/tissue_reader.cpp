@@ -238,6 +238,8 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
     if (extension.has("sheet")) readSheet(extension.member("sheet"), *network);
     if (extension.has("lattice")) readLattice(extension.member("lattice"), *network);
     if (extension.has("fillings")) readFillings(extension.member("fillings"), package.mesh, package.tissue);
+    if (extension.has("provenance"))
+        package.provenance = valueFrom<Provenance>(extension.member("provenance"));
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));
     return package;
 }

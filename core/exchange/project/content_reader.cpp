@@ -125,6 +125,7 @@ Project readContent(const JsonReader& manifest, ContentEntries& source) {
     project.mesh = readMesh(arrays, source);
     project.network = readNetwork(manifest, source);
     project.importReport = readReport(manifest.member("importReport"), source);
+    if (manifest.has("source")) project.source = valueFrom<MeshSource>(manifest.member("source"));
     project.base = valueFrom<BaseTissue>(manifest.member("base"));
     ReadRegions read = regionsFromJson(manifest.member("fuzzySystems"), manifest.member("regions"));
     project.regions = std::move(read.regions);

@@ -209,6 +209,7 @@ ProjectContent contentOf(const Project& project) {
                         {"scene", toJson(project.scene)},
                         {"photos", addPhotos(project.layers, arrays)},
                         {"texture", std::move(texture)}};
+    if (project.source) content.manifest["source"] = writtenFields(*project.source);
     if (project.stepping) content.manifest["stepping"] = toJson(*project.stepping);
     if (project.accuracy) content.manifest["accuracy"] = toJson(*project.accuracy);
     if (project.editor) content.manifest["editor"] = writtenFields(*project.editor);

@@ -16,7 +16,7 @@ namespace esm {
 const std::vector<Exporter>& exporters() {
     static const std::vector<Exporter> all{
         {"glb", ".glb", "Model packages", "the model package for simulators, a textured mesh to any viewer",
-         writePackage, true},
+         writePackage, true, true},
         {.name = "vtp",
          .ending = ".vtp",
          .title = "VTK surfaces",

@@ -20,9 +20,10 @@ struct Exporter {
     std::function<void(const Handover& handover, const std::filesystem::path& file,
                        const HandoverMeans& means)>
         write;
-    bool holdsPictures = false; ///< of the texture
-    bool isFolder = false;      ///< of several files; there must be none of its name yet, or an empty one
-    bool isStepped = false;     ///< says how to step the organ, by `HandoverMeans::engine`
+    bool holdsPictures = false;   ///< of the texture
+    bool holdsAuthorship = false; ///< title, author, date and licence
+    bool isFolder = false;        ///< of several files; there must be none of its name yet, or an empty one
+    bool isStepped = false;       ///< says how to step the organ, by `HandoverMeans::engine`
     /// What of the organ will differ in the program that it is written for. Empty: nothing. @throws Cancelled
     std::function<Differences(const Handover& handover, const HandoverMeans& means)> differences = {};
     std::string otherName = {}; ///< on the command line as well; empty without

@@ -3,6 +3,7 @@
 #include "core/authoring/baked_pages.h"
 #include "core/dynamics/settings.h"
 #include "core/exchange/picture_encoding.h"
+#include "core/exchange/provenance.h"
 #include "core/exchange/simulators/sofa/sofa_version.h"
 
 #include <functional>
@@ -35,6 +36,7 @@ struct HandoverMeans {
     DrawPreview drawPreview; ///< none: without a picture
     PictureEncoding pictures = {};
     EngineSettings engine = {}; ///< of what is written for an engine
+    Authorship authorship = {}; ///< as the user says it
 };
 
 } // namespace esm

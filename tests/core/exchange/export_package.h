@@ -5,6 +5,12 @@
 
 namespace esm {
 
+inline HandoverMeans saidBy(const Authorship& authorship) {
+    HandoverMeans means;
+    means.authorship = authorship;
+    return means;
+}
+
 inline void exportPackage(const Project& project, const std::filesystem::path& file,
                           const HandoverMeans& means = {}) {
     exportProject(project, exporterFor("organ.glb"), file, means);

@@ -261,6 +261,11 @@ void addTables(Fields& fields) {
         change(p.texture.atlas);
     });
     addTable<TextureSettings>(fields, "texture", [](Project& p, const auto& change) { change(p.texture); });
+    addTable<MeshSource>(fields, "source",
+                         [](Project& p, const auto& change) {
+                             change(p.source.emplace(MeshSource{"liver.stl", std::string(64, '7')}));
+                         },
+                         {"sha256"});
     addTable<RepairReport>(fields, "importReport", [](Project& p, const Change<RepairReport>& change) {
         replace(p.importReport, change);
     });
