@@ -5,6 +5,8 @@
 #include "core/project/surroundings.h"
 #include "core/support/errors.h"
 
+#include <algorithm>
+
 namespace esm {
 
 namespace {
@@ -53,13 +55,15 @@ RunnableModel fromProject(const std::filesystem::path& file, const std::optional
     return model;
 }
 
-/// A package holds tethers, fixed nodes and fluids by themselves; those of a scene take their place.
+/// A package holds tethers, fixed nodes, fluids and pressures by themselves; those of a scene take their
+/// place.
 RunnableModel fromPackage(const std::filesystem::path& file, const std::optional<Scene>& scene,
                           Context& context) {
     ModelPackage package = openedPackage(file, context);
     RunnableModel model;
     model.tissue = std::move(package.tissue);
     model.scene = scene.value_or(Scene());
+    if (!scene) model.scene.pressures = std::move(package.pressures);
     model.stepping = package.stepping;
     model.mesh = std::make_shared<const TriangleMesh>(std::move(package.mesh));
     model.surface = touchedSurface(*model.mesh, *model.tissue.network);
@@ -69,8 +73,10 @@ RunnableModel fromPackage(const std::filesystem::path& file, const std::optional
     bare.network = model.tissue.network;
     bare.mesh = model.mesh;
     const TissueModel held = evaluateModel(bare, *scene);
-    model.warnings = droppedHolds(
-        *scene, {model.tissue.fixedNodes.size(), model.tissue.tethers.size(), model.tissue.cavities.size()});
+    const auto fillings = std::count_if(model.tissue.cavities.begin(), model.tissue.cavities.end(),
+                                        [](const Cavity& cavity) { return cavity.stiffness > 0; });
+    model.warnings = droppedHolds(*scene, {model.tissue.fixedNodes.size(), model.tissue.tethers.size(),
+                                           static_cast<std::size_t>(fillings)});
     model.tissue.tethers = held.tethers;
     model.tissue.fixedNodes = held.fixedNodes;
     model.tissue.cavities = held.cavities;

@@ -61,6 +61,15 @@ std::vector<std::string> steppingWarnings(const Json& holder) {
             "\", which this program does not know: it is left out; measure the tissue anew (esmc tradeoff)"};
 }
 
+Json toJson(const PressurePoint& point) {
+    return {point.time, point.pressure};
+}
+
+void fromJson(const JsonReader& reader, PressurePoint& point) {
+    const std::vector<double> row = reader.numbers(2);
+    point = {row[0], row[1]};
+}
+
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points) {
     std::vector<double> values;
     values.reserve(3 * points.size());

@@ -22,6 +22,10 @@ std::optional<MeasuredStepping> steppingFromJson(const JsonReader& reader);
 /// the holder's `stepping`.
 std::vector<std::string> steppingWarnings(const nlohmann::ordered_json& holder);
 
+/// Time and pressure in a list of two, s and Pa.
+nlohmann::ordered_json toJson(const PressurePoint& point);
+void fromJson(const JsonReader& reader, PressurePoint& point);
+
 /// x, y, z of every point in one list, and back.
 std::vector<double> coordinatesOf(const std::vector<Eigen::Vector3d>& points);
 

@@ -366,6 +366,10 @@ class Package:
             self.check_binding()
         if "lattice" in self.json:
             self.check_lattice()
+        if "material" in self.json:
+            self.check_material()
+        if "pressures" in self.json:
+            self.check_pressures()
         self.check_drawn()
 
     def check_lattice(self):
@@ -386,6 +390,35 @@ class Package:
             for face in ((a, c, b), (a, b, d), (a, d, c), (b, c, d)):
                 outer ^= {tuple(sorted(face))}
         check(outer == {tuple(sorted(face)) for face in surface}, "the lattice's surface is not that of its tetrahedra")
+
+        if "kind" in self.springs:
+            edges = {frozenset(edge) for face in surface for edge in zip(face, face[1:] + face[:1])}
+            kinds = [int(frozenset(ends) not in edges) for ends in threes(self.ends, 2)]
+            check(self.array(self.springs, "kind", self.spring_count) == kinds, "springs of another kind")
+
+    def check_material(self):
+        """A modulus of the wall that the springs' constant means; densities that weigh what the nodes weigh."""
+        group, base = self.json["material"], self.json["base"]
+        modulus, density = (self.array(group, key, self.node_count) for key in ("youngsModulus", "density"))
+        check(0 <= group["poissonsRatio"] <= 0.5, "no Poisson's ratio")
+        thickness = base.get("wallThickness", 0.003)
+        for constant, value in zip(self.node_c, modulus):
+            check(abs(value - 2 / 3**0.5 * constant / thickness) <= 1e-6 * value, "another modulus than the springs'")
+        if "lattice" in self.json:
+            volumes, rest = [0] * self.node_count, threes(self.rest)
+            for nodes in threes(self.array(self.json["lattice"], "tetrahedra", self.json["lattice"]["tetrahedronCount"], 4), 4):
+                a, b, c, d = (rest[node] for node in nodes)
+                volume = sum(x * y for x, y in zip(cross(minus(b, a), minus(c, a)), minus(d, a))) / 6
+                for node in nodes:
+                    volumes[node] += volume / 4
+            weight = sum(volume * value for volume, value in zip(volumes, density))
+            check(abs(weight - sum(self.mass)) <= 1e-4 * weight, "the densities weigh %g kg" % weight)
+        check(all(value > 0 for value in density), "no density")
+
+    def check_pressures(self):
+        for pressure in self.json["pressures"]:
+            times = [time for time, _ in pressure["path"]]
+            check(pressure["part"] >= 0 and times and times == sorted(set(times)), "a pressure without a path in time")
 
     def check_binding(self):
         group, count = self.binding, self.json["surface"]["vertexCount"]
@@ -428,6 +461,7 @@ class Package:
             check(3 * len(nodes) == len(positions), "a drawn vertex has no node")
             check(all(node < self.node_count for node in nodes), "a drawn vertex's node is out of range")
             vertices = self.gltf.array(part["vertices"]) if self.binding else None
+            self.check_attributes(primitive["attributes"], nodes)
             check(not self.binding or len(vertices) == len(nodes), "a drawn vertex is no vertex of the surface")
             if "triangles" not in part:
                 continue
@@ -442,6 +476,28 @@ class Package:
                 check(nodes[drawn] == self.vertex_nodes[vertex], "corner %d follows another node" % i)
                 check(not self.binding or vertices[drawn] == vertex, "corner %d is another vertex" % i)
         check(sorted(shown) == list(range(len(self.triangles) // 3)), "not every triangle is drawn once")
+
+    def check_attributes(self, attributes, nodes):
+        """Tissue of each drawn vertex, as programs have it that know glTF alone."""
+        if "_ESM_MASS" not in attributes:
+            return
+        held = set(self.fixed)
+        fixed = [float(node in held) for node in range(self.node_count)]
+        numbers = nodes
+        if "_ESM_VERTEX" in attributes:
+            numbers = [int(number) for number in self.gltf.array(attributes["_ESM_VERTEX"])]
+            places, positions = self.vertices, self.gltf.array(attributes["POSITION"])
+            check(threes(positions) == [places[3 * n:3 * n + 3] for n in numbers], "_ESM_VERTEX is another vertex")
+        else:
+            check(not self.triangles, "the surface's vertices have no _ESM_VERTEX")
+        for name, of_nodes in (("_ESM_MASS", self.mass), ("_ESM_SPRING_CONSTANT", self.node_c),
+                               ("_ESM_VISCOSITY", self.node_d), ("_ESM_FIXED", fixed)):
+            for number, node, value in zip(numbers, nodes, self.gltf.array(attributes[name])):
+                row, shares = (self.carriers[number], self.shares[number]) if self.binding else ([node], [1])
+                ours = [of_nodes[n] for n, share in zip(row, shares) if share]
+                mean = min(max(sum(share * of_nodes[n] for n, share in zip(row, shares)), min(ours)), max(ours))
+                if not check(abs(value - mean) <= 2e-6 * max(map(abs, ours)), "%s of vertex %d" % (name, number)):
+                    break
 
     def check_sharing(self, attributes, vertices, triangles):
         """Places of their own for all corners, or one vertex for all corners that are alike."""

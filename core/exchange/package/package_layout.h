@@ -2,6 +2,8 @@
 
 #include "core/model/lattice.h"
 
+#include <cstdint>
+
 /// What writing and reading of the model package agree on; described in `docs/model-package.md`.
 namespace esm::package_layout {
 
@@ -30,6 +32,9 @@ constexpr int versionOfFillings = 9;
 
 /// The first version in which a wall may resist bending.
 constexpr int versionOfHinges = 9;
+
+/// Kinds of springs of a filled body: along an edge of the surface that instruments touch, or beneath it.
+constexpr std::uint32_t springOfTheSurface = 0, springWithin = 1;
 
 /// Pixels, width and height of the preview picture.
 constexpr int largestPreview = 4096;

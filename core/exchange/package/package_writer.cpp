@@ -1,4 +1,5 @@
 #include "core/exchange/model_package.h"
+#include "core/exchange/package/drawn_tissue.h"
 #include "core/exchange/package/glb.h"
 #include "core/exchange/package/package_checksums.h"
 #include "core/exchange/package/package_layout.h"
@@ -9,6 +10,7 @@
 #include "core/exchange/picture_encoding.h"
 #include "core/exchange/project/model_json.h"
 #include "core/exchange/project/region_json.h"
+#include "core/project/continuum.h"
 #include "core/support/errors.h"
 #include "core/texture/maps/ambient_occlusion.h"
 #include "core/texture/maps/finish_pages.h"
@@ -73,6 +75,7 @@ private:
                            const Progress& progress);
     std::size_t addPreview();
     void addProvenance();
+    void addAttributes(Json& primitives);
 
     const Ingredients& m_from;
     const SpringNetwork& m_network;
@@ -82,6 +85,7 @@ private:
     Glb m_glb;
     GltfArrays m_arrays;
     Shared m_shared;
+    std::vector<std::vector<std::uint32_t>> m_drawn; ///< vertices of the surface that each primitive draws
     TissueWriter m_tissue;
     std::vector<std::string> m_problems;
 };
@@ -131,6 +135,7 @@ Json PackageBuilder::extension() {
     if (!m_from.tissue.hinges.empty()) json["hinges"] = m_tissue.hinges();
     json["surface"] = surface();
     if (m_tissue.hasFillings()) json["fillings"] = m_tissue.fillings();
+    if (!project.scene.pressures.empty()) json["pressures"] = written(project.scene.pressures);
     if (isBound()) json["binding"] = m_tissue.binding();
     if (m_network.sheet) json["sheet"] = m_tissue.sheet();
     if (m_network.lattice) json["lattice"] = m_tissue.lattice();
@@ -218,6 +223,7 @@ Json PackageBuilder::drawnPage(std::size_t page, const std::vector<std::uint32_t
                      {"vertexNodes", m_arrays.addIndices(vertices.nodes)},
                      {"triangles", m_arrays.addIndices(triangles)}});
     if (isBound()) drawn.back()["vertices"] = m_arrays.addIndices(vertices.vertices);
+    m_drawn.push_back(vertices.vertices);
     return {{"attributes", attributes}, {"indices", order}, {"material", m_glb.json["materials"].size() - 1}};
 }
 
@@ -247,11 +253,10 @@ Json PackageBuilder::drawnSurface(Json& drawn) {
                      {"primitive", 0},
                      {"vertexNodes", m_shared.vertexNodes},
                      {"triangles", m_arrays.addIndices(triangles)}});
-    if (isBound()) {
-        std::vector<std::uint32_t> vertices(m_mesh.vertices.size());
-        std::iota(vertices.begin(), vertices.end(), 0U);
-        drawn.back()["vertices"] = m_arrays.addIndices(vertices);
-    }
+    std::vector<std::uint32_t> vertices(m_mesh.vertices.size());
+    std::iota(vertices.begin(), vertices.end(), 0U);
+    if (isBound()) drawn.back()["vertices"] = m_arrays.addIndices(vertices);
+    m_drawn.push_back(std::move(vertices));
     Json primitive{{"attributes", attributes}, {"indices", m_shared.triangles}, {"material", 0}};
     return Json::array({std::move(primitive)});
 }
@@ -262,6 +267,7 @@ Json PackageBuilder::drawnNetwork(Json& drawn) {
     std::vector<std::uint32_t> nodes(m_network.restPositions.size());
     std::iota(nodes.begin(), nodes.end(), 0U);
     drawn.push_back({{"mesh", 0}, {"primitive", 0}, {"vertexNodes", m_arrays.addIndices(nodes)}});
+    m_drawn.push_back(std::move(nodes));
     Json primitive{{"attributes", {{"POSITION", m_tissue.nodePositions()}}},
                    {"mode", m_network.springs.empty() ? points : lines}};
     if (!m_network.springs.empty()) primitive["indices"] = m_tissue.springNodes();
@@ -275,6 +281,14 @@ void PackageBuilder::addProvenance() {
     m_glb.json["extensionsUsed"].push_back(xmpExtension);
     m_glb.json["asset"]["extensions"][xmpExtension] = {{"packet", 0}};
     m_glb.json["extensions"][xmpExtension]["packets"] = Json::array({xmpPacket(provenance)});
+}
+
+/// Behind all arrays of before, so that those stay where they were.
+void PackageBuilder::addAttributes(Json& primitives) {
+    const DrawnTissue tissue =
+        drawnTissue(m_from.tissue, m_mesh.triangles.empty() ? 0 : m_mesh.vertices.size());
+    for (std::size_t i = 0; i < m_drawn.size(); ++i)
+        addTissueAttributes(tissue, m_drawn[i], m_arrays, primitives[i]["attributes"]);
 }
 
 Glb PackageBuilder::build() {
@@ -291,6 +305,10 @@ Glb PackageBuilder::build() {
                                                : drawnSurface(drawn);
     springMass["drawn"] = std::move(drawn);
     if (!m_from.preview.empty()) springMass["preview"] = addPreview();
+    addAttributes(primitives);
+    if (m_network.lattice) springMass["springs"]["kind"] = m_tissue.springKinds();
+    if (const auto material = continuumOf(m_from.project, m_from.tissue))
+        springMass["material"] = m_tissue.material(*material);
     springMass["checksums"] = addChecksums(m_arrays);
     gltf["scene"] = 0;
     gltf["scenes"].push_back({{"nodes", Json::array({0})}});

@@ -27,6 +27,8 @@ PackagedTissue loadPackagedTissue(const std::filesystem::path& file) {
 
 std::vector<std::string> descriptionProblems(const PackagedTissue& package) {
     std::vector<std::string> problems;
+    if (package.material)
+        addUnder(problems, "material", validate(*package.material, package.tissue.mass.size()));
     if (package.provenance) addUnder(problems, "provenance", validate(*package.provenance));
     return problems;
 }

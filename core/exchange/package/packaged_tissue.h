@@ -2,6 +2,7 @@
 
 #include "core/exchange/provenance.h"
 #include "core/geometry/triangle_mesh.h"
+#include "core/model/equivalent_material.h"
 #include "core/model/stepping.h"
 #include "core/model/tissue_model.h"
 
@@ -20,8 +21,10 @@ struct PackagedTissue {
     std::string name;
     TriangleMesh mesh; ///< drawn triangles over the welded vertices
     TissueModel tissue;
-    std::optional<MeasuredStepping> stepping; ///< that is recommended
-    std::optional<Provenance> provenance{};   ///< none in files of before there was any
+    std::optional<MeasuredStepping> stepping;     ///< that is recommended
+    std::vector<PartPressure> pressures{};        ///< that press on cavities of the tissue from within
+    std::optional<EquivalentMaterial> material{}; ///< that the springs stand for, where it is known
+    std::optional<Provenance> provenance{};       ///< none in files of before there was any
 };
 
 /// Reads it without decoding any picture. @throws FileError: damaged, not a model package, of a newer version

@@ -48,7 +48,8 @@ private:
     void readBinding(const JsonReader& group, SpringNetwork& network, std::size_t vertices) const;
     void readSheet(const JsonReader& group, SpringNetwork& network) const;
     void readLattice(const JsonReader& group, SpringNetwork& network) const;
-    void readFillings(const JsonReader& list, const TriangleMesh& mesh, TissueModel& tissue) const;
+    void readFluids(const JsonReader& extension, PackagedTissue& package) const;
+    EquivalentMaterial readMaterial(const JsonReader& group, std::size_t nodes) const;
     void checkMean(const JsonReader& springs, const char* key, const SpringNetwork& network,
                    const std::vector<double>& ofNodes) const;
 
@@ -198,20 +199,32 @@ void TissueReader::readLattice(const JsonReader& group, SpringNetwork& network) 
 
 /// A fluid names its part as a scene does, and what it encloses is looked for anew: of a file nothing is
 /// believed.
-void TissueReader::readFillings(const JsonReader& list, const TriangleMesh& mesh, TissueModel& tissue) const {
+void TissueReader::readFluids(const JsonReader& extension, PackagedTissue& package) const {
+    TissueModel& tissue = package.tissue;
     Scene scene;
-    for (const JsonReader& element : list.elements())
-        scene.fillings.push_back(valueFrom<FluidFilling>(element));
+    if (extension.has("fillings")) readValue(extension.member("fillings"), scene.fillings, PlainForms());
+    if (extension.has("pressures")) readValue(extension.member("pressures"), scene.pressures, PlainForms());
     if (m_arrays.foundProblems()) return;
     std::vector<std::string> problems = validate(scene, tissue.mass.size());
     try {
         if (problems.empty())
-            tissue.cavities = cavitiesOf(scene, *tissue.network, simulatedSurface(mesh, *tissue.network));
+            tissue.cavities =
+                cavitiesOf(scene, *tissue.network, simulatedSurface(package.mesh, *tissue.network));
     } catch (const InvalidModel& unfit) {
         problems = unfit.problems();
     }
     for (const std::string& problem : problems)
-        list.addProblem("hold what cannot be: " + problem);
+        extension.addProblem("holds what cannot be: " + problem);
+    package.pressures = std::move(scene.pressures);
+}
+
+EquivalentMaterial TissueReader::readMaterial(const JsonReader& group, std::size_t nodes) const {
+    EquivalentMaterial material;
+    material.poissonsRatio = group.member("poissonsRatio").number();
+    if (group.has("thickness")) material.thickness = group.member("thickness").number();
+    material.youngsModulus = scalars(group, "youngsModulus", nodes);
+    material.density = scalars(group, "density", nodes);
+    return material;
 }
 
 PackagedTissue TissueReader::read(const JsonReader& extension) const {
@@ -237,7 +250,9 @@ PackagedTissue TissueReader::read(const JsonReader& extension) const {
         readBinding(extension.member("binding"), *network, countOf(surface, "vertexCount"));
     if (extension.has("sheet")) readSheet(extension.member("sheet"), *network);
     if (extension.has("lattice")) readLattice(extension.member("lattice"), *network);
-    if (extension.has("fillings")) readFillings(extension.member("fillings"), package.mesh, package.tissue);
+    if (extension.has("fillings") || extension.has("pressures")) readFluids(extension, package);
+    if (extension.has("material"))
+        package.material = readMaterial(extension.member("material"), network->restPositions.size());
     if (extension.has("provenance"))
         package.provenance = valueFrom<Provenance>(extension.member("provenance"));
     if (extension.has("stepping")) package.stepping = steppingFromJson(extension.member("stepping"));

@@ -1,6 +1,7 @@
 #include "core/exchange/package/tissue_writer.h"
 
 #include "core/exchange/fields_json.h"
+#include "core/exchange/package/package_layout.h"
 #include "core/exchange/tissue_json.h"
 
 #include <algorithm>
@@ -59,6 +60,28 @@ Json TissueWriter::springs() {
     return json;
 }
 
+std::size_t TissueWriter::springKinds() {
+    std::vector<Edge> outer = uniqueEdges(m_network.lattice->surface);
+    std::sort(outer.begin(), outer.end());
+    std::vector<std::uint32_t> kinds;
+    kinds.reserve(m_network.springs.size());
+    for (const Spring& spring : m_network.springs) {
+        const Edge edge(std::min(spring.first, spring.second), std::max(spring.first, spring.second));
+        kinds.push_back(std::binary_search(outer.begin(), outer.end(), edge)
+                            ? package_layout::springOfTheSurface
+                            : package_layout::springWithin);
+    }
+    return m_arrays.addIndices(kinds);
+}
+
+Json TissueWriter::material(const EquivalentMaterial& material) {
+    Json json{{"poissonsRatio", material.poissonsRatio}};
+    if (material.thickness) json["thickness"] = *material.thickness;
+    json["youngsModulus"] = addScalars(material.youngsModulus, "Young's modulus at node");
+    json["density"] = addScalars(material.density, "density at node");
+    return json;
+}
+
 Json TissueWriter::tethers() {
     Json json{{"count", m_tissue.tethers.size()}};
     if (m_tissue.tethers.empty()) return json;
@@ -80,7 +103,6 @@ bool TissueWriter::hasFillings() const {
                        [](const Cavity& cavity) { return cavity.stiffness > 0; });
 }
 
-// What presses from within belongs to a scene, as forces do; the fluid belongs to the organ.
 Json TissueWriter::fillings() const {
     Json list = Json::array();
     for (const Cavity& cavity : m_tissue.cavities)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/exchange/package/glb.h"
+#include "core/model/equivalent_material.h"
 #include "core/model/tissue_model.h"
 
 #include <nlohmann/json.hpp>
@@ -32,6 +33,9 @@ public:
     nlohmann::ordered_json sheet();
     /// Precondition: the network has a lattice.
     nlohmann::ordered_json lattice();
+    /// An array of the kinds of springs. Precondition: the network has a lattice.
+    std::size_t springKinds();
+    nlohmann::ordered_json material(const EquivalentMaterial& material);
 
     /// Numbers as a package holds them. What is beyond their range is a problem.
     std::vector<float> floats(const std::vector<double>& values, const char* what);

@@ -80,12 +80,6 @@ struct SceneForms : TypedForms {
         point = {txyz[0], {txyz[1], txyz[2], txyz[3]}};
     }
 
-    Json write(const PressurePoint& point) const { return {point.time, point.pressure}; }
-    void read(const JsonReader& reader, PressurePoint& point) const {
-        const std::vector<double> row = reader.numbers(2);
-        point = {row[0], row[1]};
-    }
-
     Json write(const std::pair<std::uint32_t, std::uint32_t>& edge) const {
         return {edge.first, edge.second};
     }

@@ -74,7 +74,12 @@ PackageJson withoutNewerKeys(PackageJson json, const PackageJson& before) {
     };
     PackageJson& extension = json["extensions"][package_layout::extension];
     const PackageJson& old = before["extensions"][package_layout::extension];
-    eraseNewer(extension, old, {"provenance", "checksums"});
+    eraseNewer(extension, old, {"provenance", "pressures", "material", "checksums"});
+    eraseNewer(extension["springs"], old["springs"], {"kind"});
+    for (std::size_t i = 0; i < json["meshes"][0]["primitives"].size(); ++i)
+        eraseNewer(json["meshes"][0]["primitives"][i]["attributes"],
+                   before["meshes"][0]["primitives"][i]["attributes"],
+                   {"_ESM_MASS", "_ESM_SPRING_CONSTANT", "_ESM_VISCOSITY", "_ESM_FIXED", "_ESM_VERTEX"});
     for (const char* list : {"accessors", "bufferViews"})
         while (json[list].size() > before[list].size())
             json[list].erase(json[list].size() - 1);
