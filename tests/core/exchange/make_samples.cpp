@@ -155,6 +155,13 @@ Project withFluids(Project project) {
     return project;
 }
 
+/// An even sheet that was imported, with a fluid and a pressure in it.
+Project withOrigin() {
+    Project project = withFluids(sheetProject());
+    project.source = MeshSource{"Tube \"1\" ü.stl", std::string(60, 'f') + "0123"};
+    return project;
+}
+
 std::map<std::string, Project> sampleProjects() {
     return {{"version-1", projectInRows()},
             {"version-1-bare", bareProject()},
@@ -176,6 +183,7 @@ std::map<std::string, Project> sampleProjects() {
             {"version-12-filled", filledProject()},
             {"version-13-even-sheet", sheetProject()},
             {"version-13-clinical-units", clinicalProject()},
+            {"version-13-origin", withOrigin()},
             {"version-13-fluids", withFluids(untextured(softProject()))},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
             {"version-9-split", withSplits(untextured(softProject()))},
@@ -195,6 +203,8 @@ void writeSamples(const std::filesystem::path& folder) {
                       {{}, [](const Project&, const auto&) { return gradientPhoto("preview", 8)->image; }});
     }
     exportPackage(withFluids(untextured(softProject())), folder / "packages" / "version-9-fluids.glb");
+    exportPackage(withOrigin(), folder / "packages" / "version-9-origin.glb",
+                  saidBy({"Tube ü", "A. N. Other", "2026-05", "CC0 1.0"}));
     exportPackage(filledProject(), folder / "packages" / "version-8-filled.glb");
     exportPackage(sheetProject(), folder / "packages" / "version-6-even-sheet.glb");
     exportPackage(clinicalProject(), folder / "packages" / "version-9-clinical-units.glb");

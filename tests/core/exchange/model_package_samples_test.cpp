@@ -26,7 +26,8 @@ std::filesystem::path projectOf(const std::filesystem::path& package) {
         {"version-6-even-sheet", "version-13-even-sheet"},
         {"version-9-clinical-units", "version-13-clinical-units"},
         {"version-8-filled", "version-12-filled"},
-        {"version-9-fluids", "version-13-fluids"}};
+        {"version-9-fluids", "version-13-fluids"},
+        {"version-9-origin", "version-13-origin"}};
     const auto newer = ofNewer.find(package.stem());
     const std::string name = newer == ofNewer.end() ? package.stem().string() : newer->second;
     return package.parent_path() / ".." / "projects" / (name + ".esm");
