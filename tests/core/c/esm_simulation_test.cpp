@@ -1,0 +1,160 @@
+#include "core/dynamics/simulation.h"
+#include "core/support/errors.h"
+#include "tests/core/c/opened_package.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+namespace esm {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char *hollow = "version-1.glb", *filled = "version-8-filled.glb";
+
+OwnedSimulation madeSimulation(const EsmPackage* package, const EsmSettings& settings) {
+    EsmError error;
+    OwnedSimulation simulation(esmMakeSimulation(package, &settings, &error));
+    EXPECT_STREQ(error.text, "");
+    return simulation;
+}
+
+std::vector<Eigen::Vector3d> points(const double* numbers, std::size_t count) {
+    std::vector<Eigen::Vector3d> result;
+    for (std::size_t i = 0; i < count; ++i)
+        result.emplace_back(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]);
+    return result;
+}
+
+EsmSettings steppedBy(const char* integrator, double timeStep) {
+    EsmSettings settings{};
+    settings.integrator = integrator;
+    settings.timeStep = timeStep;
+    return settings;
+}
+
+TEST(EsmSimulation, MovesAsTheLibraryInCppDoes) {
+    const std::uint32_t pulled = 5, led = 9;
+    const Eigen::Vector3d gravity(0, -9.81, 0), force(0, 0, -0.01), way(0.001, 0, 0);
+    for (const char* name : {hollow, filled}) {
+        const PackagedTissue content = loadPackagedTissue(keptPackage(name));
+        const OwnedPackage package = openedPackage(keptPackage(name));
+        const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy("split2", 1e-3));
+        const Eigen::Vector3d place = content.tissue.network->restPositions[led] + way;
+        EsmError error;
+        ASSERT_TRUE(esmSetGravity(simulation.get(), gravity.data(), &error));
+        ASSERT_TRUE(esmSetForces(simulation.get(), 1, &pulled, force.data(), &error));
+        ASSERT_TRUE(esmLeadNodes(simulation.get(), 1, &led, place.data(), &error));
+        ASSERT_EQ(esmStep(simulation.get(), 20, &error), 20U) << error.text;
+
+        SimulationSettings settings;
+        settings.integrator = Integrator::Split2;
+        settings.timeStep = 1e-3;
+        Simulation ours(content.tissue, settings);
+        Loads loads;
+        loads.gravity = gravity;
+        loads.forces = {{pulled, force}};
+        loads.prescribed = {{led, place}};
+        loads.beginsAnew = true;
+        ASSERT_TRUE(ours.step(loads));
+        loads.beginsAnew = false;
+        ASSERT_EQ(ours.advance(loads, 19), 19U);
+        const std::size_t count = esmModelOf(package.get())->nodes.count;
+        EXPECT_EQ(points(esmPositionsOf(simulation.get()), count), ours.positions());
+        EXPECT_EQ(points(esmVelocitiesOf(simulation.get()), count), ours.velocities());
+        EXPECT_EQ(ours.positions()[led], place);
+        EXPECT_DOUBLE_EQ(esmTimeOf(simulation.get()), 0.02);
+
+        std::vector<double> vertices(3 * content.mesh.vertices.size());
+        ASSERT_TRUE(esmDrawnVertices(simulation.get(), vertices.data(), &error));
+        EXPECT_EQ(points(vertices.data(), content.mesh.vertices.size()),
+                  drawnPositions(content.mesh, *content.tissue.network, ours.positions()));
+    }
+}
+
+TEST(EsmSimulation, LivesOnWithoutItsPackageAndGoesBackToRest) {
+    OwnedPackage package = openedPackage(keptPackage(hollow));
+    const OwnedSimulation simulation = madeSimulation(package.get(), {});
+    const EsmNodes nodes = esmModelOf(package.get())->nodes;
+    const std::vector<Eigen::Vector3d> rest = points(nodes.restPositions, nodes.count);
+    package.reset();
+    EXPECT_STRNE(esmIntegratorOf(simulation.get()), "auto");
+    EXPECT_GT(esmTimeStepOf(simulation.get()), 0);
+    const double gravity[3] = {0, -9.81, 0};
+    EsmError error;
+    ASSERT_TRUE(esmSetGravity(simulation.get(), gravity, &error));
+    ASSERT_EQ(esmStep(simulation.get(), 3, &error), 3U);
+    EXPECT_NE(points(esmPositionsOf(simulation.get()), rest.size()), rest);
+    esmReset(simulation.get());
+    EXPECT_EQ(points(esmPositionsOf(simulation.get()), rest.size()), rest);
+    EXPECT_EQ(esmTimeOf(simulation.get()), 0);
+}
+
+TEST(EsmSimulation, AnInstrumentPushesAndFeelsTheTissue) {
+    const OwnedPackage package = openedPackage(keptPackage(filled));
+    const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy("split", 1e-3));
+    const EsmModel& model = *esmModelOf(package.get());
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& place : points(model.nodes.restPositions, model.nodes.count))
+        box.extend(place);
+    const double radius = 0.2 * box.sizes().x();
+    EsmError error;
+    for (int step = 0; step <= 100; ++step) {
+        const double x = box.max().x() + radius * (1.05 - 0.005 * step);
+        const EsmInstrument ball{radius, 0, {x, box.center().y(), box.center().z()}, {0, 0, 0, 0}};
+        ASSERT_TRUE(esmPlaceInstruments(simulation.get(), 1, &ball, &error)) << error.text;
+        ASSERT_EQ(esmStep(simulation.get(), 1, &error), 1U) << error.text;
+    }
+    double impulse[3], none[3];
+    esmInstrumentImpulse(simulation.get(), 0, impulse);
+    EXPECT_GT(impulse[0], 0) << "the tissue pushes back, towards where the ball came from";
+    esmInstrumentImpulse(simulation.get(), 1, none);
+    EXPECT_EQ(none[0], 0);
+}
+
+TEST(EsmSimulation, RefusesWhatItCannotStep) {
+    const OwnedPackage package = openedPackage(keptPackage(hollow));
+    EsmError error;
+    const EsmSettings unknown = steppedBy("leapfrog", 0), backwards = steppedBy("euler", -1);
+    EXPECT_EQ(esmMakeSimulation(package.get(), &unknown, &error), nullptr);
+    EXPECT_THAT(error.text, testing::AllOf(HasSubstr("leapfrog"), HasSubstr("split2")));
+    EXPECT_EQ(esmMakeSimulation(package.get(), &backwards, &error), nullptr);
+    EXPECT_STRNE(error.text, "");
+}
+
+TEST(EsmSimulation, RefusesLoadsThatCannotBeAndKeepsTheOldOnes) {
+    const OwnedPackage package = openedPackage(keptPackage(hollow));
+    const OwnedSimulation simulation = madeSimulation(package.get(), {});
+    const double bad[3] = {0, std::numeric_limits<double>::quiet_NaN(), 0}, good[3] = {0, 0, 0.01};
+    const std::uint32_t none = 1u << 30, some = 3;
+    EsmError error;
+    EXPECT_FALSE(esmSetGravity(simulation.get(), bad, &error));
+    ASSERT_TRUE(esmSetForces(simulation.get(), 1, &some, good, &error));
+    EXPECT_FALSE(esmSetForces(simulation.get(), 1, &none, good, &error));
+    EXPECT_THAT(error.text, HasSubstr(std::to_string(none)));
+    EXPECT_FALSE(esmSetForces(simulation.get(), 1, &some, bad, &error));
+    EXPECT_FALSE(esmLeadNodes(simulation.get(), 1, &none, good, &error));
+    EsmInstrument instrument{};
+    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 1, &instrument, &error));
+    EXPECT_THAT(error.text, HasSubstr("instrument"));
+    const double before = esmPositionsOf(simulation.get())[3 * some + 2];
+    ASSERT_EQ(esmStep(simulation.get(), 1, &error), 1U);
+    EXPECT_GT(esmPositionsOf(simulation.get())[3 * some + 2], before);
+}
+
+TEST(EsmSimulation, StopsWhereMotionRunsWild) {
+    const OwnedPackage package = openedPackage(keptPackage(hollow));
+    const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy("euler", 1));
+    const double gravity[3] = {0, -9.81, 0};
+    EsmError error;
+    ASSERT_TRUE(esmSetGravity(simulation.get(), gravity, &error));
+    EXPECT_LT(esmStep(simulation.get(), 1000, &error), 1000U);
+    EXPECT_STRNE(error.text, "");
+    const std::size_t count = esmModelOf(package.get())->nodes.count;
+    for (const Eigen::Vector3d& place : points(esmPositionsOf(simulation.get()), count))
+        EXPECT_TRUE(place.allFinite());
+}
+
+} // namespace
+} // namespace esm
