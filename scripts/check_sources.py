@@ -35,6 +35,7 @@ MAY_INCLUDE = {
     "app/esm": ("core", "widgets", "app/editor", "app/esm"),
     "app/esmc": ("core", "app/esmc"),
     "app/decode": ("core", "app/decode"),
+    "app/python": ("core", "app/python"),
 }
 
 # One word for each thing: what must not be said, and what is said instead.

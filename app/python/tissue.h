@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/dynamics/contact/touched_surface.h"
+#include "core/exchange/package/packaged_tissue.h"
+
+#include <memory>
+
+namespace esm::python {
+
+/// What Python calls a tissue: that of a package, or what a project was evaluated to. Arrays in Python share
+/// its memory, so it never changes.
+struct Tissue {
+    std::string name;
+    std::shared_ptr<const TissueModel> model;
+    std::shared_ptr<const TriangleMesh> mesh;
+    std::vector<SpringValues> springValues; ///< of the model
+    std::optional<MeasuredStepping> stepping;
+
+    std::size_t nodeCount() const { return model->mass.size(); }
+};
+
+Tissue tissueOf(PackagedTissue package);
+
+} // namespace esm::python
