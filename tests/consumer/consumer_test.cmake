@@ -1,5 +1,5 @@
-# Installs the core, builds strangers' programs against it and lets them load a model package.
-#   cmake -D BUILD=… -D SOURCE=… -D ESMC=… -P consumer_test.cmake
+# Installs the core, builds strangers' programs and the examples against it and lets them load a model package.
+#   cmake -D BUILD=… -D SOURCE=… -D EXAMPLES=… -D ESMC=… [-D PYTHON=… -D PYTHON_FOLDER=…] -P consumer_test.cmake
 set(work ${BUILD}/consumer)
 file(REMOVE_RECURSE ${work})
 
@@ -31,3 +31,34 @@ build_consumer(${SOURCE}/c)
 expect_output("170 nodes, 1 picture of 64 pixels" ${work}/bin/consumer ${work}/tube.glb)
 expect_output("170 nodes, 320 triangles" ${work}/bin/mechanics_consumer ${work}/tube.glb)
 expect_output("170 nodes, 340 springs, split" ${work}/bin/c_consumer ${work}/tube.glb)
+
+build_consumer(${EXAMPLES}/realtime)
+expect_output("170 nodes.*of real time" ${work}/bin/esm_in_real_time ${work}/tube.glb 0.2)
+
+if(PYTHON)
+  set(ENV{PYTHONPATH} ${work}/installed/${PYTHON_FOLDER})
+  execute_process(COMMAND ${PYTHON} -c "import numpy" RESULT_VARIABLE missing ERROR_QUIET)
+  if(missing)
+    message(STATUS "NumPy is not here: the example in Python is not run")
+  else()
+    expect_output("170 nodes.*of real time" ${PYTHON} -B ${EXAMPLES}/realtime/realtime.py ${work}/tube.esm 0.2)
+  endif()
+endif()
+
+find_program(PKG_CONFIG pkg-config REQUIRED)
+execute_process(COMMAND ${PKG_CONFIG} --exists bullet-float64 RESULT_VARIABLE missing)
+if(missing)
+  message(STATUS "Bullet is not here: the example with it is not built")
+  return()
+endif()
+file(WRITE ${work}/held.json [[{"duration": 1, "fixed": [{"nodes": [0, 1, 2, 3, 4, 5, 6, 7, 8, 9]}]}]])
+run(${ESMC} tissue ${work}/tube.esm --override spring_constant=20 --override viscosity=1 --override mass=0.02
+    -o ${work}/alike.esm)
+run(${ESMC} scene ${work}/alike.esm --scene ${work}/held.json -o ${work}/alike.esm)
+run(${ESMC} export ${work}/alike.esm --to glb -o ${work}/alike.glb)
+build_consumer(${EXAMPLES}/bullet)
+expect_output("off by 0\\.0[0-9]+ % of the motion" ${work}/bin/esm_in_bullet ${work}/alike.glb 85 0 0 -0.1)
+execute_process(COMMAND ${work}/bin/esm_in_bullet ${work}/tube.glb 85 0 0 -0.1 RESULT_VARIABLE code ERROR_VARIABLE refusal)
+if(code EQUAL 0 OR NOT refusal MATCHES "tethers")
+  message(FATAL_ERROR "Bullet took what it cannot carry: ${refusal}")
+endif()
