@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads a model package with the standard library alone, by docs/model-package.md and the glTF 2.0 rules.
+"""Checks a model package with the standard library alone, by docs/model-package.md and the glTF 2.0 rules.
 
     read_package.py PACKAGE.glb [--project PROJECT.esm] [--tissue TISSUE.json] [--carry NODES.csv]
 
@@ -16,6 +16,11 @@ import struct
 import sys
 import zipfile
 import zlib
+from pathlib import Path
+
+sys.dont_write_bytecode = True  # beside the reader, in the folder of the sources
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples" / "readers"))
+import esm_package  # noqa: E402: its folder is known only now
 
 FLOAT, UNSIGNED = 5126, 5125
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
@@ -219,77 +224,6 @@ def threes(values, size=3):
     return [values[i:i + size] for i in range(0, len(values), size)]
 
 
-def minus(a, b):
-    return [x - y for x, y in zip(a, b)]
-
-
-def distance(a, b):
-    return math.hypot(*minus(a, b))
-
-
-def cross(a, b):
-    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-
-
-def over(a, number):
-    return [x / number if number else 0 for x in a]
-
-
-def outer(a, b):
-    return [[x * y for y in b] for x in a]
-
-
-def sums(*matrices):
-    return [[sum(numbers) for numbers in zip(*rows)] for rows in zip(*matrices)]
-
-
-def times(matrix, vector):
-    return [sum(x * y for x, y in zip(row, vector)) for row in matrix]
-
-
-UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
-
-
-def smallest_rotation(first, second):
-    """Takes the direction of the one to that of the other."""
-    if not math.hypot(*first) or not math.hypot(*second):
-        return UNIT
-    a, b = over(first, math.hypot(*first)), over(second, math.hypot(*second))
-    axis, cosine = cross(a, b), sum(x * y for x, y in zip(a, b))
-    skew = [[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]]
-    squared = [times(skew, column) for column in zip(*skew)]
-    return sums(UNIT, skew, [over(row, 1 + cosine) for row in squared])
-
-
-def carried(package, rest, now, vertices):
-    """Where the nodes carry the vertices, by the section Motion of the specification."""
-    turns, weights = [[[0] * 3] * 3 for _ in rest], [0] * len(rest)
-    for nodes in package.simulated:
-        at_rest, there = [rest[node] for node in nodes], [now[node] for node in nodes]
-        a0, b0, a, b = (minus(three[i], three[0]) for three in (at_rest, there) for i in (1, 2))
-        area, area_now = math.hypot(*cross(a0, b0)), math.hypot(*cross(a, b))
-        if not area:
-            continue
-        n0, n = over(cross(a0, b0), area), over(cross(a, b), area_now)
-        part = sums(outer(a, cross(b0, n0)), outer(b, cross(n0, a0)), outer([area * x for x in n], n0))
-        for node in nodes:
-            turns[node], weights[node] = sums(turns[node], part), weights[node] + area
-    for first, second in package.lines:
-        turn = smallest_rotation(minus(rest[second], rest[first]), minus(now[second], now[first]))
-        for node in (first, second):
-            turns[node], weights[node] = sums(turns[node], turn), weights[node] + 1
-    means = [[over(row, weight) for row in turn] if weight else UNIT for turn, weight in zip(turns, weights)]
-    result = []
-    for vertex, nodes, shares in zip(vertices, package.carriers, package.shares):
-        place = list(vertex)
-        for node, share in zip(nodes, shares):
-            arm = minus(vertex, rest[node])
-            step = minus(minus(times(means[node], arm), arm), minus(rest[node], now[node]))
-            place = [x + share * y for x, y in zip(place, step)]
-        result.append(place)
-    return result
-
-
 def is_extended(system):
     """Whether it has norms, weights or conditions that readers of version 3 do not know."""
     words = " ".join(system["rules"]).upper().replace("(", " ").split()
@@ -299,8 +233,8 @@ def is_extended(system):
 class Package:
     """The arrays of ESM_spring_mass by the names of the specification."""
 
-    def __init__(self, gltf):
-        self.gltf = gltf
+    def __init__(self, gltf, readable):
+        self.gltf, self.readable = gltf, readable
         self.json = gltf.json["extensions"]["ESM_spring_mass"]
         extended = any(map(is_extended, self.json["fuzzySystems"]))
         soft = any("rim" in region for region in self.json["regions"])
@@ -442,14 +376,18 @@ class Package:
 
     def check_carried(self):
         """At rest every vertex is where it is drawn; a rigid motion of the nodes takes the vertices along."""
-        rest, vertices = threes(self.rest), threes(self.vertices)
         size = max(max(abs(number) for number in self.rest + self.vertices), 1e-30)
-        turned = [[0.6 * x - 0.8 * z + size, y - 2 * size, 0.8 * x + 0.6 * z] for x, y, z in rest]
-        wanted = [[0.6 * x - 0.8 * z + size, y - 2 * size, 0.8 * x + 0.6 * z] for x, y, z in vertices]
-        for now, there in ((rest, vertices), (turned, wanted)):
-            if self.lines and now is turned:
-                continue  # a line's turn about itself is nothing that its nodes tell
-            off = max(distance(x, y) for x, y in zip(carried(self, rest, now, vertices), there))
+
+        def turned(places):
+            return [number for x, y, z in threes(places)
+                    for number in (0.6 * x - 0.8 * z + size, y - 2 * size, 0.8 * x + 0.6 * z)]
+
+        motions = [(self.rest, self.vertices)]
+        if not self.lines:  # a line's turn about itself is nothing that its nodes tell
+            motions.append((turned(self.rest), turned(self.vertices)))
+        for now, there in motions:
+            found = esm_package.carried(self.readable, now)
+            off = max(math.dist(x, y) for x, y in zip(threes(found), threes(there)))
             check(off <= 1e-5 * size, "vertices are carried %g m away" % off)
 
     def check_drawn(self):
@@ -565,11 +503,17 @@ def compare_tissue(package, file):
 def carry(package, file):
     """The surface's vertices for every frame of a trajectory, one after the other."""
     with open(file, encoding="utf-8") as stream:
-        rows = [[float(row[key]) for key in "xyz"] for row in csv.DictReader(stream)]
-    rest, vertices, places = threes(package.rest), threes(package.vertices), []
-    for start in range(0, len(rows), len(rest)):
-        places += carried(package, rest, rows[start:start + len(rest)], vertices)
-    return places
+        numbers = [float(row[key]) for row in csv.DictReader(stream) for key in "xyz"]
+    frames = threes(numbers, len(package.rest))
+    return [place for frame in frames for place in threes(esm_package.carried(package.readable, frame))]
+
+
+def readable(file):
+    """The package as the reader of the examples has it, which must take what we write."""
+    try:
+        return esm_package.read_package(file)
+    except esm_package.PackageError as problem:
+        sys.exit("the reader of the examples refuses it: %s" % problem)
 
 
 def main():
@@ -584,7 +528,7 @@ def main():
     check_gltf(gltf)
     check_checksums(gltf)
     check_provenance(gltf.json)
-    package = Package(gltf)
+    package = Package(gltf, readable(arguments.package))
     package.check()
     if arguments.project:
         compare_project(package, arguments.project)
