@@ -84,7 +84,18 @@ std::string mtlText(const Project& project, PictureFormat format) {
     return text;
 }
 
-void writePages(const Project& project, const std::filesystem::path& folder, const HandoverMeans& means) {
+} // namespace
+
+std::size_t texturePages(const Project& project) {
+    return project.atlas ? static_cast<std::size_t>(project.atlas->options.pages) : 0;
+}
+
+std::string textureName(std::size_t page, PictureFormat format) {
+    return "texture-" + std::to_string(page + 1) + endingOf(format);
+}
+
+void writeTexturePages(const Project& project, const std::filesystem::path& folder,
+                       const HandoverMeans& means) {
     ProgressParts parts(means.progress);
     const BakedPages pages = bakedPages(project, parts.next(0.5));
     if (!pages.colours) return;
@@ -96,16 +107,6 @@ void writePages(const Project& project, const std::filesystem::path& folder, con
     }
 }
 
-} // namespace
-
-std::size_t texturePages(const Project& project) {
-    return project.atlas ? static_cast<std::size_t>(project.atlas->options.pages) : 0;
-}
-
-std::string textureName(std::size_t page, PictureFormat format) {
-    return "texture-" + std::to_string(page + 1) + endingOf(format);
-}
-
 void writeObjSurface(const Project& project, const std::filesystem::path& folder,
                      const HandoverMeans& means) {
     ProgressParts parts(means.progress);
@@ -113,7 +114,7 @@ void writeObjSurface(const Project& project, const std::filesystem::path& folder
     writeFileAtomically(folder / "surface.mtl", mtlText(project, means.pictures.format));
     HandoverMeans rest = means;
     rest.progress = parts.rest();
-    writePages(project, folder, rest);
+    writeTexturePages(project, folder, rest);
 }
 
 } // namespace esm
