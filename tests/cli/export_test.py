@@ -44,6 +44,31 @@ class ExportTest(Case):
         for file in self.file("one.sofa").iterdir():
             self.assertEqual(file.read_bytes(), (self.file("two.sofa") / file.name).read_bytes(), file.name)
 
+    def test_mujoco_gets_a_model_that_says_its_step(self):
+        folder = self.file("organ.mjcf")
+        written = self.done("export", self.tube, "--to", "mjcf", "-o", folder)
+        self.assertEqual(written["files"], [str(folder / "organ.xml")])
+        model = ElementTree.parse(folder / "organ.xml").getroot()
+        self.assertEqual(float(model.find("option").get("timestep")), written["dt"])
+        self.assertLess(written["dt"], written["largest_step"])
+        self.assertTrue(any("armature" in difference["instead"] for difference in written["differences"]))
+        self.assertEqual(len(model.find("worldbody")), 170)
+
+    def test_mujoco_is_given_no_more_than_it_has_room_for(self):
+        mesh = self.file("long.obj")
+        with mesh.open("w") as file:
+            for i in range(2501):
+                file.write(f"v {i} {i % 2 * 30} {i % 3}\n")
+            for i in range(2499):
+                file.write(f"f {i + 1} {i + 2} {i + 3}\n")
+        project, folder = self.file("long.esm"), self.file("organ.mjcf")
+        self.done("import", mesh, "-o", project, "--unit", "mm")
+        message = self.fails(1, "export", project, "--to", "mjcf", "-o", folder, naming=folder)
+        self.assertIn("--detail 2500", message)
+        self.assertFalse(folder.exists())
+        told = self.done("export", project, "--to", "mjcf", "-o", folder, "--dry-run")
+        self.assertEqual(told["differences"][0]["instead"], "it is not handed over")
+
     def test_what_is_there_is_never_touched(self):
         folder = self.file("organ.sofa")
         folder.mkdir()

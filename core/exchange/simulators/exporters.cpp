@@ -2,6 +2,7 @@
 
 #include "core/exchange/model_package.h"
 #include "core/exchange/simulators/inventor_file.h"
+#include "core/exchange/simulators/mujoco/mujoco_folder.h"
 #include "core/exchange/simulators/obj_folder.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/vtk_file.h"
@@ -53,7 +54,16 @@ const std::vector<Exporter>& exporters() {
          .write = writeObjFolder,
          .holdsPictures = true,
          .isFolder = true,
-         .differences = objFolderDifferences}};
+         .differences = objFolderDifferences},
+        {.name = "mjcf",
+         .ending = ".mjcf",
+         .title = "Models for MuJoCo",
+         .purpose = "a folder with a model of up to 2500 nodes and its texture, which MuJoCo loads",
+         .write = writeMujoco,
+         .holdsPictures = true,
+         .isFolder = true,
+         .isStepped = true,
+         .differences = mujocoDifferences}};
     return all;
 }
 
