@@ -48,7 +48,7 @@ public sealed class EsmPackage {
 
     private readonly Dictionary<string, Array> m_arrays = new Dictionary<string, Array>();
     private Dictionary<string, object> m_gltf;
-    private byte[] m_binary = new byte[0];
+    private byte[] m_text = new byte[0], m_binary = new byte[0];
 
     // group, key, what it is counted by, numbers for each of these, type of the accessor, and what a number may be
     private static readonly string[][] s_rows = new[] {
@@ -99,7 +99,8 @@ public sealed class EsmPackage {
             EsmPackageException.Need(begin + size <= file.Length, "is damaged: a part reaches beyond its end");
             if (m_gltf == null) {
                 EsmPackageException.Need(kind == 0x4E4F534A, "is damaged: its first part is not JSON");
-                m_gltf = new EsmJson(new UTF8Encoding(false, true).GetString(file, (int)begin, (int)size)).Object();
+                m_text = file.Skip((int)begin).Take((int)size).ToArray();
+                m_gltf = new EsmJson(new UTF8Encoding(false, true).GetString(m_text)).Object();
             } else if (kind == 0x004E4942 && m_binary.Length == 0) {
                 m_binary = new byte[size];
                 Buffer.BlockCopy(file, (int)begin, m_binary, 0, (int)size);
@@ -121,6 +122,7 @@ public sealed class EsmPackage {
         Version = Count(Json["version"]);
         EsmPackageException.Need(Version >= 1 && Version <= NewestVersion, "is of version " + Version + ", which this reader does not know");
         EsmPackageException.Need((string)Json["damping"] == "isotropic", "damps in a way that this reader does not know");
+        if (Json.ContainsKey("checksums")) CheckSums((uint[])Numbers(Json["checksums"], "SCALAR", ((List<object>)m_gltf["bufferViews"]).Count));
         Name = (string)Json["name"];
         foreach (string group in s_always)
             EsmPackageException.Need(Json.ContainsKey(group), "has no " + group);
@@ -173,6 +175,29 @@ public sealed class EsmPackage {
         Array values = kind == FloatType ? (Array)new float[numbers] : new uint[numbers];
         Buffer.BlockCopy(m_binary, view[0] + offset, values, 0, (int)(4 * numbers));
         return values;
+    }
+
+    /// <summary>That no bit has flipped. In the place of the sums' own view, the last, stands that of the JSON.</summary>
+    private void CheckSums(uint[] sums) {
+        EsmPackageException.Need(Crc32(m_text, 0, m_text.Length) == sums[sums.Length - 1], "is damaged: its JSON does not have the check sum that it should");
+        for (int i = 0; i + 1 < sums.Length; ++i) {
+            int[] view = View((double)i);
+            EsmPackageException.Need(Crc32(m_binary, view[0], view[1]) == sums[i], "is damaged: bufferViews/" + i + " does not have the check sum that it should");
+        }
+    }
+
+    /// <summary>As zlib and PNG have it.</summary>
+    private static uint Crc32(byte[] bytes, int begin, int size) {
+        uint[] table = Enumerable.Range(0, 256).Select(start => {
+            uint entry = (uint)start;
+            for (int bit = 0; bit < 8; ++bit)
+                entry = (entry & 1) != 0 ? entry >> 1 ^ 0xEDB88320 : entry >> 1;
+            return entry;
+        }).ToArray();
+        uint sum = 0xFFFFFFFF;
+        for (int i = begin; i < begin + size; ++i)
+            sum = table[(sum ^ bytes[i]) & 255] ^ sum >> 8;
+        return ~sum;
     }
 
     private Array ReadArray(string[] row) {

@@ -17,6 +17,7 @@ import json
 import math
 import struct
 import sys
+import zlib
 from array import array
 from dataclasses import dataclass, field
 
@@ -94,7 +95,7 @@ class Container:
             chunks.append((kind, content[place + 8:place + 8 + size]))
             place += 8 + size
         need(chunks and chunks[0][0] == 0x4E4F534A, "is damaged: its first part is not JSON")
-        self.binary = next((body for kind, body in chunks[1:] if kind == 0x004E4942), b"")
+        self.text, self.binary = chunks[0][1], next((body for kind, body in chunks[1:] if kind == 0x004E4942), b"")
         try:
             self.json = json.loads(chunks[0][1].decode("utf-8"))
         except (ValueError, RecursionError) as reason:
@@ -118,6 +119,13 @@ class Container:
     def bytes(self, place):
         offset, size = self.view(place)
         return self.binary[offset:offset + size]
+
+    def check_sums(self, place):
+        """That no bit has flipped, by the accessor with the check sums of all views; in its own view's place, the last, that of the JSON."""
+        *sums, of_json = self.numbers(place, "SCALAR", len(self.json["bufferViews"]))
+        need(zlib.crc32(self.text) == of_json, "is damaged: its JSON does not have the check sum that it should")
+        for view, wanted in enumerate(sums):
+            need(zlib.crc32(self.bytes(view)) == wanted, "is damaged: bufferViews/%d does not have the check sum that it should" % view)
 
     def numbers(self, place, type, count=None):
         """Of an accessor, flat. `count`: elements that there should be; any without."""
@@ -153,6 +161,8 @@ class Reader:
         need(is_count(self.version) and self.version >= 1, "says no version of its model")
         need(self.version <= NEWEST, "is of version %d, newer than this reader, which knows up to %d" % (self.version, NEWEST))
         need(self.json.get("damping") == "isotropic", "damps in a way that this reader does not know")
+        if "checksums" in self.json:
+            container.check_sums(self.json["checksums"])
 
     def count(self, name):
         group, _, key = name.rpartition(".")

@@ -185,6 +185,13 @@ class DamagedPackageTest(ReaderCase):
                 ("beyond", lambda _, gltf: gltf["bufferViews"][0].update(byteLength=1 << 40))):
             self.assertIn(word, self.refused(self.changed(source, change)) or "was read")
 
+    def test_notices_a_flipped_bit(self):
+        source = next(file for file in KEPT if "checksums" in esm_package.read_package(file).json)
+        content = bytearray(source.read_bytes())
+        start = 20 + struct.unpack_from("<I", content, 12)[0] + 8
+        content[start + 2] ^= 1
+        self.assertIn("check sum", self.refused(self.file("flipped.glb", bytes(content))) or "was read")
+
     def test_never_breaks_on_damage(self):
         seen = 0
         for round in range(rounds_of(200, 5000)):
@@ -236,6 +243,12 @@ class CSharpReaderTest(ReaderCase):
         self.done("import", self.data("meshes/sks-liver-coloured.ply"), "--unit", "mm", "--detail", "200", "-o", project)
         self.agrees(self.exported("--override", "spring_constant=20", "--override", "viscosity=0.01", "--override", "mass=0.5",
                                   project=project), 2e-4, 300)
+
+    def test_notices_a_flipped_bit(self):
+        source = next(file for file in KEPT if "checksums" in esm_package.read_package(file).json)
+        content = bytearray(source.read_bytes())
+        content[20 + struct.unpack_from("<I", content, 12)[0] + 8 + 2] ^= 1
+        self.assertIn("check sum", self.read(self.file("flipped.glb", bytes(content))).stderr)
 
     def test_refuses_what_is_damaged(self):
         refused = 0
