@@ -224,6 +224,14 @@ def threes(values, size=3):
     return [values[i:i + size] for i in range(0, len(values), size)]
 
 
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
 def is_extended(system):
     """Whether it has norms, weights or conditions that readers of version 3 do not know."""
     words = " ".join(system["rules"]).upper().replace("(", " ").split()

@@ -91,6 +91,7 @@ std::vector<std::size_t> damagedViews(const Bytes& file, const Glb& glb, std::ve
 
 std::vector<std::string> damageProblems(const Glb& glb, const std::vector<std::size_t>& damaged) {
     std::vector<std::string> problems;
+    problems.reserve(damaged.size());
     for (const std::size_t view : damaged)
         problems.push_back(drawnFrom(glb, view) + " " + damagedArray);
     return problems;
