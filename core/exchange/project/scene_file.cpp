@@ -1,6 +1,7 @@
 #include "core/exchange/project/scene_file.h"
 
 #include "core/exchange/project/ellipsoid_json.h"
+#include "core/exchange/tissue_json.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
