@@ -25,7 +25,7 @@ TEST(Failure, NoExceptionLeaves) {
 
 TEST(Failure, ALongTextEndsWithAWholeCharacter) {
     EsmError error;
-    for (const std::size_t odd : {0, 1, 2}) {
+    for (std::size_t odd = 0; odd < 3; ++odd) {
         std::string text(odd, 'x');
         while (text.size() < 2 * sizeof error.text)
             text += "ü";
