@@ -102,12 +102,11 @@ void addDifferences(Report& report, const Differences& differences) {
     report.json["scheme"] = differences.scheme;
     report.json["dt"] = inJson(differences.timeStep);
     report.json["largest_step"] = inJson(differences.largestStep);
-    const auto seconds = [](const std::optional<double>& step, const char* without) {
-        return step ? inText(*step) + " s" : without;
-    };
+    if (!differences.timeStep) return; // what is not handed over is not stepped
+    const std::string largest =
+        differences.largestStep ? inText(*differences.largestStep) + " s" : "no limit";
     report.text.push_back("stepped by " + differences.scheme + ", in steps of " +
-                          seconds(differences.timeStep, "no length") +
-                          "; largest stable step: " + seconds(differences.largestStep, "no limit"));
+                          inText(*differences.timeStep) + " s; largest stable step: " + largest);
 }
 
 Report runExport(const ExportOptions& options, Context& context) {

@@ -2,7 +2,7 @@
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from esmc import Case
+from esmc import Case, command
 
 
 class ExportTest(Case):
@@ -30,6 +30,17 @@ class ExportTest(Case):
         late = self.done("export", self.tube, "--to", "sofa", "-o", self.file("late.sofa"), "--damping", "axial",
                          "--dt", "0.01", "--dry-run")
         self.assertTrue(any("blow up" in difference["instead"] for difference in late["differences"]))
+
+    def test_what_is_refused_is_told_no_steps(self):
+        liver = self.file("liver.esm")
+        self.done("sample", "liver", "-o", liver)
+        self.done("inside", liver, "--fill", "cubic", "--spacing", "0.006", "-o", liver)
+        model = self.file("organ.mjcf")
+        told = command("export", liver, "--to", "mjcf", "-o", model, "--dry-run").stdout
+        self.assertIn("it is not handed over", told)
+        self.assertNotIn("stable step", told)
+        self.fails(1, "export", liver, "--to", "mjcf", "-o", model, naming=model)
+        self.assertFalse(model.exists())
 
     def test_a_folder_says_all_that_it_holds(self):
         folder = self.file("organ.sofa")

@@ -37,7 +37,7 @@ QString textOf(const std::vector<Difference>& differences) {
 }
 
 QString textOfSteps(const Differences& differences) {
-    if (differences.scheme.empty()) return {};
+    if (!differences.timeStep) return {}; // what is not handed over is not stepped
     const QString limit =
         differences.largestStep
             ? QObject::tr("Steps longer than %1 ms are not stable.")

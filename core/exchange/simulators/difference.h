@@ -18,7 +18,7 @@ struct Difference {
 struct Differences {
     std::vector<Difference> list;
     std::string scheme; ///< by which the target steps the organ; empty where that is not said to it
-    std::optional<double> timeStep;    ///< s, that it is handed over with
+    std::optional<double> timeStep;    ///< s, that it is handed over with; none: by no engine, or not at all
     std::optional<double> largestStep; ///< s, predicted for that scheme; none: it has no limit, or no scheme
 };
 

@@ -1,5 +1,6 @@
 #include "core/exchange/simulators/mujoco/damping_rows.h"
 
+#include "core/geometry/disjoint_sets.h"
 #include "core/support/errors.h"
 
 #include <Eigen/SparseCholesky>
@@ -17,29 +18,6 @@ using DampingFactors = Eigen::SimplicialLDLT<DampingMatrix>;
 
 constexpr std::uint32_t noRow = std::numeric_limits<std::uint32_t>::max();
 
-/// Nodes that viscous springs hold together, as trees of their numbers.
-class DampedParts {
-public:
-    explicit DampedParts(std::size_t nodes) : m_parents(nodes) {
-        std::iota(m_parents.begin(), m_parents.end(), 0U);
-    }
-
-    std::uint32_t firstOf(std::uint32_t node) {
-        while (m_parents[node] != node)
-            node = m_parents[node] = m_parents[m_parents[node]];
-        return node;
-    }
-
-    /// The lower of both parts' first nodes is that of what they become.
-    void join(std::uint32_t first, std::uint32_t second) {
-        const auto [low, high] = std::minmax({firstOf(first), firstOf(second)});
-        m_parents[high] = low;
-    }
-
-private:
-    std::vector<std::uint32_t> m_parents;
-};
-
 /// Which nodes the factors are of. A part that nothing holds may move as a whole undamped, and its matrix has
 /// no factors; its first node, the anchor, is left out of them. Its row is what makes every column's sum 0.
 struct DampedNodes {
@@ -51,7 +29,7 @@ struct DampedNodes {
 
 DampedNodes dampedNodes(const SpringSystem& system, const std::vector<char>& still) {
     const std::size_t count = system.mass.size();
-    DampedParts parts(count);
+    DisjointSets parts(count); // that viscous springs hold together
     std::vector<char> isDamped(count, 0), isHeld(count, 0);
     for (const auto& spring : system.springs)
         if (spring.viscosity > 0 && !still[spring.first] && !still[spring.second])
@@ -62,12 +40,12 @@ DampedNodes dampedNodes(const SpringSystem& system, const std::vector<char>& sti
              {std::pair(spring.first, spring.second), std::pair(spring.second, spring.first)}) {
             if (still[node]) continue;
             isDamped[node] = 1;
-            if (still[other]) isHeld[parts.firstOf(node)] = 1;
+            if (still[other]) isHeld[parts.lowest(node)] = 1;
         }
     }
     DampedNodes damped{std::vector<std::uint32_t>(count, noRow), {}, {}};
     for (std::uint32_t node = 0; node < count; ++node) {
-        const std::uint32_t first = parts.firstOf(node);
+        const std::uint32_t first = parts.lowest(node);
         if (!isDamped[node] || (node == first && !isHeld[first])) continue;
         damped.rows[node] = static_cast<std::uint32_t>(damped.nodes.size());
         damped.nodes.push_back(node);

@@ -7,6 +7,7 @@
 #include "tests/core/exchange/simulators/mujoco/mjcf_reader.h"
 #include "tests/core/exchange/simulators/mujoco/mujoco_export.h"
 #include "tests/support/exchange_projects.h"
+#include "tests/support/flat_wall_project.h"
 
 namespace esm {
 namespace {
@@ -37,23 +38,6 @@ protected:
     }
 };
 
-/// A piece of a plane with a light tissue that resists bending.
-Project flatSheet() {
-    TriangleMesh mesh;
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 5; ++x)
-            mesh.vertices.emplace_back(0.01 * x, 0.011 * y + 0.001 * x, 0.004 * x);
-    for (std::uint32_t y = 0; y < 3; ++y)
-        for (std::uint32_t x = 0; x < 4; ++x) {
-            const std::uint32_t node = 5 * y + x;
-            mesh.triangles.push_back({node, node + 1, node + 6});
-            mesh.triangles.push_back({node, node + 6, node + 5});
-        }
-    Project project = makeProject("sheet", asImported(mesh));
-    project.base.resistsBending = true;
-    return project;
-}
-
 TEST_F(MujocoFolder, HasTheTissueOfSamples) {
     for (const char* name : {"tube", "uterus", "ventricle"})
         for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
@@ -64,7 +48,7 @@ TEST_F(MujocoFolder, HasTheTissueOfSamples) {
 
 TEST_F(MujocoFolder, HasTheTissueOfOrgansOfEveryKind) {
     for (const Project& project :
-         {richProject(), bareProject(), filledProject(), latticeProject(), sheetProject(), flatSheet(),
+         {richProject(), bareProject(), filledProject(), latticeProject(), sheetProject(), flatWallProject(),
           biphasicProject(), boundProject({Detail::Kind::Nodes, 20}), boundProject({Detail::Kind::Rigid})})
         for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
             SCOPED_TRACE(project.name);
@@ -155,7 +139,7 @@ TEST_F(MujocoFolder, TellsWhatMujocoDoesNot) {
     EXPECT_THAT(toldOf(biphasicProject()), testing::HasSubstr("2.3.1"));
     EXPECT_THAT(toldOf(makeSample("tube")), testing::HasSubstr("instruments"));
     EXPECT_THAT(toldOf(boundProject({Detail::Kind::Rigid})), testing::HasSubstr("does not turn"));
-    EXPECT_THAT(toldOf(flatSheet()), testing::Not(testing::HasSubstr("hinges")));
+    EXPECT_THAT(toldOf(flatWallProject()), testing::Not(testing::HasSubstr("hinges")));
     Project project = makeSample("tube");
     project.scene.forces = {{1, {0, 0, 2}, 0.1, 0.3}};
     project.scene.moves = {{5, {{0.1, {0, 0, 0}}}}};

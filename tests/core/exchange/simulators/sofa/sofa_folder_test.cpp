@@ -2,10 +2,10 @@
 
 #include "core/dynamics/forces.h"
 #include "core/exchange/simulators/exporters.h"
-#include "core/samples/organs.h"
 #include "core/samples/samples.h"
 #include "tests/core/exchange/simulators/sofa/sofa_reader.h"
 #include "tests/support/exchange_projects.h"
+#include "tests/support/flat_wall_project.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -47,23 +47,6 @@ double largestGap(const Vectors& a, const Vectors& b) {
     for (std::size_t i = 0; i < gaps.size(); ++i)
         gaps[i] -= b.at(i);
     return largest(gaps);
-}
-
-/// A net of a few triangles in a plane, tethered, whose wall resists bending.
-Project flatWall() {
-    TriangleMesh mesh;
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 5; ++x)
-            mesh.vertices.emplace_back(0.01 * x, 0.011 * y + 0.001 * x, 0.004 * x);
-    for (std::uint32_t y = 0; y < 3; ++y)
-        for (std::uint32_t x = 0; x < 4; ++x) {
-            const std::uint32_t node = 5 * y + x;
-            mesh.triangles.push_back({node, node + 1, node + 6});
-            mesh.triangles.push_back({node, node + 6, node + 5});
-        }
-    Project project = makeProject("wall", asImported(mesh));
-    project.base.resistsBending = true;
-    return project;
 }
 
 class SofaFolder : public testing::Test {
@@ -110,7 +93,7 @@ TEST_F(SofaFolder, HasTheTissueOfSamplesForEveryRelease) {
 
 TEST_F(SofaFolder, HasTheTissueOfOrgansOfEveryKind) {
     for (const Project& project :
-         {richProject(), bareProject(), filledProject(), latticeProject(), sheetProject(), flatWall(),
+         {richProject(), bareProject(), filledProject(), latticeProject(), sheetProject(), flatWallProject(),
           biphasicProject(), boundProject({Detail::Kind::Nodes, 20}), boundProject({Detail::Kind::Rigid})})
         for (const Damping damping : {Damping::Isotropic, Damping::Axial}) {
             SCOPED_TRACE(project.name);
@@ -119,9 +102,9 @@ TEST_F(SofaFolder, HasTheTissueOfOrgansOfEveryKind) {
 }
 
 TEST_F(SofaFolder, DampsAWallThatBendsInEarlyReleases) {
-    ASSERT_FALSE(evaluateModel(flatWall()).hinges.empty());
-    expectSameTissue(flatWall(), meansFor(SofaVersion::June2024));
-    expectSameTissue(flatWall(), meansFor(SofaVersion::June2024, Damping::Axial));
+    ASSERT_FALSE(evaluateModel(flatWallProject()).hinges.empty());
+    expectSameTissue(flatWallProject(), meansFor(SofaVersion::June2024));
+    expectSameTissue(flatWallProject(), meansFor(SofaVersion::June2024, Damping::Axial));
 }
 
 TEST_F(SofaFolder, NamesComponentsAsTheReleaseDoes) {
