@@ -1,9 +1,12 @@
+#include "tests/support/rounds.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/solid_surfaces.h"
 #include "tests/support/wall_balance.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace esm {
 namespace {
@@ -57,7 +60,8 @@ double pinchedRing(int layers) {
 }
 
 TEST(PrismTube, IsStretchedAsATubeOfTheTissueInTwoLayersOrMore) {
-    for (const int layers : {2, 3, 4})
+    if (isSanitized()) GTEST_SKIP() << "a narrow ring shows the sanitizers the same";
+    for (const int layers : isLongRun() ? std::vector{2, 3, 4} : std::vector{2})
         EXPECT_NEAR(stretchedTube(layers), 1, 0.05) << layers;
     EXPECT_NEAR(stretchedTube(1), 1.16, 0.05);
 }

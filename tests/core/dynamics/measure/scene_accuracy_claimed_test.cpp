@@ -255,7 +255,7 @@ std::ostream& operator<<(std::ostream& out, const Verdict& verdict) {
 }
 
 TEST(ClaimedError, IsNoLessThanTheTrueOne) {
-    const int rounds = roundsOf(isSanitized() ? 1 : 20, 200);
+    const int rounds = roundsOf(isSanitized() ? 1 : 6, 200);
     int claims = 0;
     for (int round = 0; round < rounds; ++round) {
         const Trial trial = drawnTrial(seedOf(round));

@@ -1,6 +1,7 @@
 #include "core/texture/projection/pose_certainty.h"
 
 #include "tests/core/texture/projection/seen_pairs.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -84,12 +85,14 @@ Covered coveredBy(const std::vector<CameraKind>& kinds) {
 } // namespace
 
 TEST(PoseCertainty, HoldsInNineteenOfTwentyCasesOfAKnownCamera) {
+    if (isSanitized()) GTEST_SKIP() << "a few cases show the sanitizers the same";
     const Covered covered = coveredBy({CameraKind::Known});
     EXPECT_NEAR(covered.eye, 0.95, 0.03);
     EXPECT_NEAR(covered.turn, 0.95, 0.03);
 }
 
 TEST(PoseCertainty, HoldsInNineteenOfTwentyCasesOfAnUnknownCamera) {
+    if (isSanitized()) GTEST_SKIP() << "a few cases show the sanitizers the same";
     const Covered covered = coveredBy({CameraKind::Square, CameraKind::Stretched, CameraKind::Cropped});
     EXPECT_NEAR(covered.eye, 0.95, 0.03);
     EXPECT_NEAR(covered.turn, 0.95, 0.03);
