@@ -1,4 +1,10 @@
+#include "core/exchange/fuzzy/fuzzy_file.h"
 #include "core/exchange/project/project_file.h"
+#include "core/exchange/project/projector_file.h"
+#include "core/exchange/project/scene_file.h"
+#include "core/project/detail_change.h"
+#include "core/solid/filled_body.h"
+#include "core/support/file_io.h"
 #include "tests/core/exchange/export_package.h"
 #include "tests/core/exchange/own_springs.h"
 #include "tests/support/exchange_projects.h"
@@ -22,6 +28,15 @@ Project perspectiveProject() {
     project.layers[1].projector.kind = ProjectorKind::Perspective;
     project.layers[1].projector.intrinsics = Intrinsics{1e4 / 3, 900, -3, 0.1};
     project.layers[2].projector.falloff = true;
+    return project;
+}
+
+Project foundCameraProject() {
+    Project project = perspectiveProject();
+    project.layers[0].projector = {};
+    project.layers[0].projector.height = 0.1 / 3;
+    project.layers[1].projector.areIntrinsicsFound = true;
+    project.texture.occlusionReach = 0.05 / 3;
     return project;
 }
 
@@ -162,6 +177,21 @@ Project withOrigin() {
     return project;
 }
 
+/// Small, as a lattice takes much room in a file.
+Project filledWith(LatticeKind kind) {
+    const Project project = untextured(richProject(3));
+    const LatticeFilling filling = kind == LatticeKind::Prisms ? LatticeFilling{kind, 0, 0.01 / 3, 2}
+                                                               : fillingOf(*project.mesh, kind, 30);
+    return withDetail(project, {Detail::Kind::Filled, 0, filling});
+}
+
+Project bendingProject() {
+    Project project = untextured(softProject());
+    project.base.resistsBending = true;
+    project.base.wallThickness = 0.01 / 3;
+    return project;
+}
+
 std::map<std::string, Project> sampleProjects() {
     return {{"version-1", projectInRows()},
             {"version-1-bare", bareProject()},
@@ -181,8 +211,15 @@ std::map<std::string, Project> sampleProjects() {
             {"version-11-pressure", pressedProject()},
             {"version-11-own-layout", ownLayoutProject()},
             {"version-12-filled", filledProject()},
+            {"version-12-cubic", filledWith(LatticeKind::Cubic)},
+            {"version-12-diamond", filledWith(LatticeKind::Diamond)},
+            {"version-12-bare-diamond", filledWith(LatticeKind::BareDiamond)},
+            {"version-13-bending", bendingProject()},
+            {"version-13-graded", filledWith(LatticeKind::Graded)},
+            {"version-13-prisms", filledWith(LatticeKind::Prisms)},
             {"version-13-even-sheet", sheetProject()},
             {"version-13-clinical-units", clinicalProject()},
+            {"version-13-found-camera", foundCameraProject()},
             {"version-13-origin", withOrigin()},
             {"version-13-fluids", withFluids(untextured(softProject()))},
             {"version-9-instruments", withInstruments(untextured(softProject()))},
@@ -211,8 +248,35 @@ void writeSamples(const std::filesystem::path& folder) {
     exportPackage(ownLayoutProject(), folder / "packages" / "version-7-own-layout.glb");
     exportPackage(untextured(latticeProject()), folder / "packages" / "version-6-wide-binding.glb");
     exportPackage(shiningProject(), folder / "packages" / "version-1-finish.glb");
+    exportPackage(filledWith(LatticeKind::Graded), folder / "packages" / "version-9-graded.glb");
+    exportPackage(filledWith(LatticeKind::Prisms), folder / "packages" / "version-9-prisms.glb");
+    exportPackage(bendingProject(), folder / "packages" / "version-9-bending.glb");
     const Project soft = untextured(softProject());
     writePackage(withOwnSprings(soft), folder / "packages" / "version-6-own-springs.glb", {});
+}
+
+void writeText(const std::filesystem::path& file, const std::string& text) {
+    std::filesystem::create_directories(file.parent_path());
+    writeFileAtomically(file, text);
+}
+
+/// What people keep in files of their own, as the projects of the same names have it.
+void writePartsOf(const std::filesystem::path& folder) {
+    const std::map<std::string, Project> projects = sampleProjects();
+    for (const char* name : {"version-1", "version-9-instruments", "version-9-split", "version-13-fluids"})
+        writeText(folder / "scenes" / (name + std::string(".json")),
+                  toJson(projects.at(name).scene).dump(2) + '\n');
+    for (std::size_t layer = 0; layer < 3; ++layer)
+        for (const char* name : {"version-1", "version-6", "version-13-found-camera"})
+            writeText(folder / "projectors" / (name + ("-" + std::to_string(layer)) + ".json"),
+                      toJson(projects.at(name).layers[layer].projector).dump(2) + '\n');
+    for (const char* name : {"version-1", "version-4", "version-13-clinical-units"})
+        for (const Region& region : projects.at(name).regions)
+            for (const char* ending : {".json", ".fcl", ".fll"})
+                if (region.system) {
+                    const std::filesystem::path file = folder / "fuzzy" / (std::string(name) + ending);
+                    writeText(file, exportFuzzySystem(*region.system, file).text);
+                }
 }
 
 } // namespace
@@ -224,6 +288,7 @@ int main(int count, char** arguments) {
     }
     try {
         writeSamples(arguments[1]);
+        writePartsOf(arguments[1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_samples: %s\n", error.what());
         return 1;

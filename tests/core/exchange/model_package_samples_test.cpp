@@ -26,6 +26,9 @@ std::filesystem::path projectOf(const std::filesystem::path& package) {
         {"version-6-even-sheet", "version-13-even-sheet"},
         {"version-9-clinical-units", "version-13-clinical-units"},
         {"version-8-filled", "version-12-filled"},
+        {"version-9-bending", "version-13-bending"},
+        {"version-9-graded", "version-13-graded"},
+        {"version-9-prisms", "version-13-prisms"},
         {"version-9-fluids", "version-13-fluids"},
         {"version-9-origin", "version-13-origin"}};
     const auto newer = ofNewer.find(package.stem());

@@ -1,6 +1,7 @@
 #include "core/exchange/project/project_file.h"
 #include "core/exchange/project/project_layout.h"
 #include "core/exchange/project/zip_archive.h"
+#include "tests/core/exchange/fields_set_in_none.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -58,6 +59,37 @@ TEST(ProjectFileSamples, AreOfEveryVersion) {
         versions.insert(writtenVersionOf(file));
     for (int version = 1; version <= projectFileVersion; ++version)
         EXPECT_EQ(versions.count(version), 1U) << version;
+}
+
+TEST(ProjectFileSamples, SetEveryField) {
+    std::vector<BaseTissue> bases;
+    std::vector<Region> regions;
+    std::vector<TextureLayer> layers;
+    std::vector<PhotoPreparation> preparations;
+    std::vector<TextureSettings> textures;
+    for (const std::filesystem::path& file : samples("projects")) {
+        const Project project = loadProject(file);
+        bases.push_back(project.base);
+        textures.push_back(project.texture);
+        regions.insert(regions.end(), project.regions.begin(), project.regions.end());
+        layers.insert(layers.end(), project.layers.begin(), project.layers.end());
+        for (const TextureLayer& layer : project.layers)
+            preparations.push_back(layer.preparation);
+    }
+    EXPECT_THAT(fieldsSetInNone(bases), testing::IsEmpty());
+    EXPECT_THAT(fieldsSetInNone(regions), testing::IsEmpty());
+    EXPECT_THAT(fieldsSetInNone(layers), testing::IsEmpty());
+    EXPECT_THAT(fieldsSetInNone(preparations), testing::IsEmpty());
+    EXPECT_THAT(fieldsSetInNone(textures), testing::IsEmpty());
+}
+
+TEST(ProjectFileSamples, AreOfEveryKindOfLattice) {
+    std::set<LatticeKind> kinds;
+    for (const std::filesystem::path& file : samples("projects"))
+        if (const Project project = loadProject(file); project.network->lattice)
+            kinds.insert(project.network->lattice->filling.kind);
+    for (const auto& [kind, word] : wordsOf<LatticeKind>)
+        EXPECT_EQ(kinds.count(kind), 1U) << word;
 }
 
 TEST(ProjectFileSamples, AreSavedAsTheyWere) {
