@@ -168,14 +168,25 @@ struct PlacedTetrahedron {
         const Vector3d weights = toWeights * (point - origin);
         return weights.minCoeff() >= 0 && weights.sum() <= 1;
     }
+
+    /// Whether a point within `radius` of a segment may lie in it: none does where one of its faces has all
+    /// of them outside.
+    bool mayHold(const Vector3d& from, const Vector3d& along, double radius) const {
+        const Eigen::RowVector3d toLast = -toWeights.colwise().sum();
+        const Vector3d first = toWeights * (from - origin), second = first + toWeights * along;
+        const Vector3d margins = radius * toWeights.rowwise().norm();
+        return (first.cwiseMax(second) + margins).minCoeff() >= 0 &&
+               std::min(first.sum(), second.sum()) - radius * toLast.norm() <= 1;
+    }
 };
 
 /// All that come near a segment.
 std::vector<PlacedTetrahedron> tetrahedraNear(const UnitCell& cell, const Vector3d& from,
                                               const Vector3d& along) {
+    constexpr double distance = 0.01; // in spacings
     std::vector<PlacedTetrahedron> near;
-    const Eigen::AlignedBox3d reach(from.cwiseMin(from + along).array() - 0.01,
-                                    from.cwiseMax(from + along).array() + 0.01);
+    const Eigen::AlignedBox3d reach(from.cwiseMin(from + along).array() - distance,
+                                    from.cwiseMax(from + along).array() + distance);
     for (std::size_t number = 0; number < cell.tetrahedra.size(); ++number)
         for (int place = 0; place < 125; ++place) {
             const Vector3i by = Vector3i(place % 5, place / 5 % 5, place / 25) - Vector3i::Constant(2);
@@ -188,7 +199,8 @@ std::vector<PlacedTetrahedron> tetrahedraNear(const UnitCell& cell, const Vector
             if (!box.intersects(reach)) continue;
             Eigen::Matrix3d sides;
             sides << corners[1] - corners[0], corners[2] - corners[0], corners[3] - corners[0];
-            near.push_back({number, by, corners[0], sides.inverse()});
+            const PlacedTetrahedron placed{number, by, corners[0], sides.inverse()};
+            if (placed.mayHold(from, along, distance)) near.push_back(placed);
         }
     return near;
 }
