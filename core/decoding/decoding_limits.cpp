@@ -31,7 +31,7 @@ void limit(int resource, std::uint64_t most, std::uint64_t spare = 0) {
     ::setrlimit(static_cast<__rlimit_resource_t>(resource), &both);
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef ESM_SANITIZE
 constexpr bool isWatched = true;
 #else
 constexpr bool isWatched = false;

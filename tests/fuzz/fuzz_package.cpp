@@ -1,0 +1,92 @@
+#include "core/exchange/model_package.h"
+#include "core/exchange/package/glb.h"
+#include "core/support/errors.h"
+#include "tests/fuzz/fuzz_target.h"
+#include "tests/fuzz/json_input.h"
+#include "tests/fuzz/mutation.h"
+
+namespace esm::fuzz {
+
+namespace {
+
+/// The JSON and the binary data of a package; empty where it is none.
+std::vector<Bytes> chunksOf(const Bytes& glb) {
+    try {
+        const GlbParts parts = glbParts(glb);
+        return {{parts.json, parts.jsonEnd}, {parts.binary, parts.binaryEnd}};
+    } catch (const InvalidModel&) {
+        return {};
+    }
+}
+
+/// What is changed would only be found by them.
+Bytes withoutChecksums(const Bytes& text) {
+    const auto springMass = "/extensions/ESM_spring_mass"_json_pointer;
+    try {
+        nlohmann::ordered_json json = jsonFrom(text);
+        if (!json.contains(springMass / "checksums")) return text;
+        json[springMass].erase("checksums");
+        const std::string changed = json.dump();
+        return {changed.begin(), changed.end()};
+    } catch (const InvalidModel&) {
+        return text;
+    }
+}
+
+void addWord(Bytes& glb, std::size_t word) {
+    for (int byte = 0; byte < 4; ++byte)
+        glb.push_back(static_cast<std::uint8_t>(word >> (8 * byte)));
+}
+
+void addChunk(Bytes& glb, std::size_t kind, Bytes chunk, std::uint8_t filling) {
+    while (chunk.size() % 4 != 0)
+        chunk.push_back(filling);
+    addWord(glb, chunk.size());
+    addWord(glb, kind);
+    glb.insert(glb.end(), chunk.begin(), chunk.end());
+}
+
+Bytes glbOf(const std::vector<Bytes>& chunks) {
+    constexpr std::size_t magic = 0x46546C67, json = 0x4E4F534A, binary = 0x004E4942;
+    Bytes content;
+    addChunk(content, json, chunks[0], ' ');
+    addChunk(content, binary, chunks[1], 0);
+    Bytes glb;
+    addWord(glb, magic);
+    addWord(glb, 2);
+    addWord(glb, 12 + content.size());
+    glb.insert(glb.end(), content.begin(), content.end());
+    return glb;
+}
+
+} // namespace
+
+/// Model packages, by both readers: what the one takes for a tissue the other does too.
+void readInput(const Bytes& content) {
+    const FileInMemory file(content);
+    try {
+        loadPackage(file.path());
+    } catch (const FileError&) {
+        loadPackagedTissue(file.path());
+        return;
+    }
+    try {
+        loadPackagedTissue(file.path());
+    } catch (const FileError& refusal) {
+        expect(false, refusal.what());
+    }
+}
+
+} // namespace esm::fuzz
+
+/// Changes the JSON or the binary data inside, as most changes of the file itself leave it no package.
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
+                                               unsigned seed) {
+    const esm::fuzz::FuzzedInput input{{data, most}, size, seed};
+    std::vector<esm::Bytes> chunks = esm::fuzz::chunksOf(input.content());
+    if (chunks.empty() || seed % 16 == 0) return input.mutated();
+    chunks[0] = esm::fuzz::withoutChecksums(chunks[0]);
+    esm::Bytes& chunk = chunks[seed % 16 < 12 ? 0 : 1];
+    chunk = esm::fuzz::mutatedPart(std::move(chunk), seed / 16);
+    return input.replacedBy(esm::fuzz::glbOf(chunks));
+}
