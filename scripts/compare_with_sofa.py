@@ -92,16 +92,16 @@ def with_recorder(scene, state, period):
     return recorded
 
 
-def in_sofa(options, folder, duration):
-    """Frames, seconds of computing, and the step."""
+def in_sofa(options, folder, period):
+    """Frames every so many seconds, seconds of computing, and the step."""
     handed_over = folder / "organ.sofa"
     step = ["--dt", options.dt] if options.dt else []
     told = json.loads(run(options.esmc, "export", options.project, "--to", "sofa", "--sofa", options.release, "--damping",
                           options.damping, *step, "-o", handed_over, "--json"))
     state = folder / "state.txt"
-    scene = with_recorder(handed_over / "organ.scn", state, duration / RECORDS)
+    scene = with_recorder(handed_over / "organ.scn", state, period)
     # One step more, since a state is written as the next step begins.
-    steps = round(duration / told["dt"]) + 1
+    steps = round(options.duration / told["dt"]) + 1
     output = run(options.runsofa, "-g", "batch", "-n", steps, scene)
     seconds = re.findall(r"iterations done in ([0-9.e+-]+) s", output)
     if not seconds or not state.exists():
@@ -109,26 +109,25 @@ def in_sofa(options, folder, duration):
     return frames_in_sofa(state), float(seconds[-1]), told["dt"]
 
 
-def here(options, folder, duration):
-    """Frames, and seconds of computing by the way that is chosen for the organ."""
+def here(options, folder):
+    """Some twenty of the frames that the scene records, and seconds of computing by the way that is chosen for the organ."""
     run(options.esmc, "simulate", options.project, "--damping", options.damping, "--max-error", "1e-4", "-o",
         folder / "reference.csv", "--json")
     usual = json.loads(run(options.esmc, "simulate", options.project, "--damping", options.damping, "-o", folder / "usual.csv",
                            "--json"))
     frames = frames_here(folder / "reference.csv")
-    wanted = [duration * i / RECORDS for i in range(RECORDS + 1)]
-    picked = {time: frames[min(frames, key=lambda other: abs(other - time))] for time in wanted}
-    return picked, usual["wall_s"]
+    times = sorted(frames)
+    picked = times[:: max(1, (len(times) - 1) // RECORDS)]
+    return {time: frames[time] for time in picked}, usual["wall_s"]
 
 
 def row(options, folder):
     info = json.loads(run(options.esmc, "info", options.project, "--json"))
-    duration = options.duration
-    reference, seconds_here = here(options, folder, duration)
-    there, seconds_there, step = in_sofa(options, folder, duration)
+    reference, seconds_here = here(options, folder)
+    there, seconds_there, step = in_sofa(options, folder, sorted(reference)[1])
     error = relative_error(reference, there, step / 2)
     return (f"| {Path(options.project).stem}, {info['nodes']} nodes | SOFA {options.release}, {options.damping} | {1000 * step:g} ms "
-            f"| {100 * error:.3g} % | {seconds_there / duration:.3g} s | {seconds_here / duration:.3g} s |")
+            f"| {100 * error:.3g} % | {seconds_there / options.duration:.3g} s | {seconds_here / options.duration:.3g} s |")
 
 
 def main():
