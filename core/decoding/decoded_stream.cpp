@@ -9,10 +9,6 @@
 
 namespace esm {
 
-Descriptor::~Descriptor() {
-    if (m_number >= 0) ::close(m_number);
-}
-
 /// Begins anew, whatever was written before: a decoder that runs out of memory halfway can still say so.
 void DecodedWriter::begin(DecodingOutcome outcome) {
     m_kept.clear();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/support/descriptor.h"
 #include "core/support/file_io.h"
 
 #include <cstdint>
@@ -8,20 +9,6 @@
 #include <vector>
 
 namespace esm {
-
-/// A file descriptor that is closed with its owner.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : m_number(number) {}
-    Descriptor(Descriptor&& other) noexcept : m_number(other.m_number) { other.m_number = -1; }
-    Descriptor& operator=(Descriptor&&) = delete;
-    ~Descriptor();
-
-    int number() const { return m_number; }
-
-private:
-    int m_number;
-};
 
 /// What begins all that the decoding program hands back.
 enum class DecodingOutcome : std::uint32_t { Decoded = 0x6d736501, Problem, NoMemory };

@@ -1,6 +1,7 @@
 #include "core/decoding/decoder_process.h"
 
 #include "core/decoding/decoder_program.h"
+#include "core/support/child_process.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
@@ -8,22 +9,15 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <fcntl.h>
-#include <optional>
-#include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace esm {
 
-// A program of its own is started, not a copy of this process: after fork() in a process with threads only
-// what is safe in signal handlers may be called, and the locks of Qt, TBB and of the decoders themselves may
-// be held for ever by threads that the copy does not have. posix_spawn() copies no memory either, so that it
-// is as fast from an editor of gigabytes. Files without names carry bytes in and out: nothing blocks halfway
-// as a pipe would, and what came out is only looked at when the process has ended.
+// Files without names carry bytes in and out of the process: nothing blocks halfway as a pipe would, and what
+// came out is only looked at when the process has ended.
 
 namespace {
 
@@ -36,11 +30,11 @@ namespace {
                         std::strerror(reason) + "; " + advice);
 }
 
-/// A file in memory. Its number is none of the standard ones, which may be free in the calling program.
+/// A file in memory.
 Descriptor namelessFile(const DecodingTask& task) {
     const Descriptor first(::memfd_create("esm-decode", MFD_CLOEXEC));
     if (first.number() < 0) failToStart(task, errno);
-    Descriptor file(::fcntl(first.number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1));
+    Descriptor file = beyondStandardFiles(first);
     if (file.number() < 0) failToStart(task, errno);
     return file;
 }
@@ -59,89 +53,16 @@ Descriptor inputOf(const DecodingTask& task) {
     return file;
 }
 
-/// How a new process begins: with the three standard files and nothing else of this process, no signal
-/// blocked or ignored, and in a group of its own, so that Ctrl-C is the caller's to answer.
-class SpawnSettings {
-public:
-    SpawnSettings(int input, int output) {
-        ::posix_spawn_file_actions_init(&files);
-        ::posix_spawn_file_actions_adddup2(&files, input, STDIN_FILENO);
-        ::posix_spawn_file_actions_adddup2(&files, output, STDOUT_FILENO);
-        ::posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-        ::posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
-        ::posix_spawnattr_init(&attributes);
-        sigset_t none, all;
-        sigemptyset(&none);
-        sigfillset(&all);
-        ::posix_spawnattr_setsigmask(&attributes, &none);
-        ::posix_spawnattr_setsigdefault(&attributes, &all);
-        ::posix_spawnattr_setpgroup(&attributes, 0);
-        ::posix_spawnattr_setflags(&attributes,
-                                   POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-    }
-    SpawnSettings(const SpawnSettings&) = delete;
-    SpawnSettings& operator=(const SpawnSettings&) = delete;
-    ~SpawnSettings() {
-        ::posix_spawn_file_actions_destroy(&files);
-        ::posix_spawnattr_destroy(&attributes);
-    }
-
-    posix_spawn_file_actions_t files{};
-    posix_spawnattr_t attributes{};
-};
-
-pid_t start(const DecodingTask& task, int input, int output) {
+ChildProcess start(const DecodingTask& task, int input, int output) {
     std::vector<std::string> words = asArguments(task.limits);
     words.insert(words.begin(), decoderProgram().string());
     words.insert(words.end(), task.arguments.begin(), task.arguments.end());
-    std::vector<char*> arguments;
-    arguments.reserve(words.size() + 1);
-    for (std::string& word : words)
-        arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const SpawnSettings settings(input, output);
-    pid_t process = 0;
-    const int reason = ::posix_spawn(&process, arguments.front(), &settings.files, &settings.attributes,
-                                     arguments.data(), environ);
-    if (reason != 0) failToStart(task, reason);
-    return process;
+    try {
+        return ChildProcess({.words = std::move(words), .input = input, .output = output});
+    } catch (const std::system_error& error) {
+        failToStart(task, error.code().value());
+    }
 }
-
-/// A running process, ended with its owner.
-class Process {
-public:
-    // glibc's own function lacks C linkage in Debian 12.
-    explicit Process(pid_t id) : m_id(id), m_end(static_cast<int>(::syscall(SYS_pidfd_open, id, 0))) {}
-    Process(const Process&) = delete;
-    Process& operator=(const Process&) = delete;
-    ~Process() {
-        if (m_hasEnded) return;
-        ::kill(m_id, SIGKILL);
-        while (::waitpid(m_id, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
-
-    /// Waits a moment, or until it has ended. Without a descriptor of the process the moment is always
-    /// waited.
-    bool endsWithin(std::chrono::milliseconds moment) {
-        pollfd end{m_end.number(), POLLIN, 0};
-        ::poll(&end, 1, static_cast<int>(moment.count()));
-        int status = 0;
-        const pid_t ended = ::waitpid(m_id, &status, WNOHANG);
-        // A program that ignores SIGCHLD never learns how its children ended; what they left behind must do.
-        m_hasEnded = ended == m_id || (ended < 0 && errno == ECHILD);
-        m_status = status;
-        return m_hasEnded;
-    }
-
-    int status() const { return m_status; } ///< as waitpid() gives it
-
-private:
-    pid_t m_id;
-    Descriptor m_end;
-    int m_status = 0;
-    bool m_hasEnded = false;
-};
 
 [[noreturn]] void failFromMemory(const DecodingTask& task) {
     throw FileError(task.subject,
@@ -174,7 +95,7 @@ constexpr double usualPart = 50;
 
 /// Processor time is bounded by the system; a process that sleeps uses none, so the clock is looked at too,
 /// at four times as much for machines that do other work.
-void waitFor(Process& process, const DecodingTask& task, const Progress& progress) {
+void waitFor(ChildProcess& process, const DecodingTask& task, const Progress& progress) {
     constexpr std::chrono::milliseconds moment{20};
     const double start = task.clock(), most = static_cast<double>(task.limits.seconds);
     while (!process.endsWithin(moment)) {
@@ -218,7 +139,7 @@ DecodedStream decodeApart(const DecodingTask& task, const Progress& progress) {
     Descriptor output = namelessFile(task);
     {
         const Descriptor input = inputOf(task);
-        Process process(start(task, input.number(), output.number()));
+        ChildProcess process = start(task, input.number(), output.number());
         waitFor(process, task, progress);
         requireSoundEnd(process.status(), task);
     }

@@ -1,10 +1,10 @@
 #include "core/decoding/decoder_program.h"
 
+#include "core/support/child_process.h"
 #include "core/support/errors.h"
 
 #include <cstdlib>
 #include <optional>
-#include <unistd.h>
 #include <vector>
 
 /// Where the CMake package that a program found lies, told by a source that the package adds to the program:
@@ -18,11 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char *name = "esm-decode", *variable = "ESM_DECODE";
-
-bool canBeRun(const fs::path& program) {
-    std::error_code error;
-    return fs::is_regular_file(program, error) && ::access(program.c_str(), X_OK) == 0;
-}
 
 std::optional<fs::path> namedByEnvironment() {
     const char* const named = ::secure_getenv(variable);

@@ -1,0 +1,63 @@
+#include "core/support/child_process.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <fstream>
+#include <optional>
+#include <sys/wait.h>
+#include <system_error>
+#include <thread>
+
+namespace esm {
+namespace {
+
+using namespace std::chrono_literals;
+
+TEST(ChildProcess, TellsHowItEnded) {
+    ChildProcess process({.words = {"/bin/sh", "-c", "exit 7"}});
+    while (!process.endsWithin(20ms)) {
+    }
+    EXPECT_TRUE(WIFEXITED(process.status()));
+    EXPECT_EQ(WEXITSTATUS(process.status()), 7);
+}
+
+TEST(ChildProcess, SaysWhyItCannotBeStarted) {
+    try {
+        const ChildProcess process({.words = {"/nowhere/program"}});
+        FAIL();
+    } catch (const std::system_error& error) {
+        EXPECT_EQ(error.code().value(), ENOENT);
+    }
+}
+
+TEST(ChildProcess, EndsWithItsOwnerAndWithAllThatItStarted) {
+    const TemporaryFolder folder;
+    const auto written = folder / "child";
+    pid_t child = 0;
+    {
+        ChildProcess process(
+            {.words = {"/bin/sh", "-c", "sleep 1000 & echo $! > " + written.string() + "; wait"}});
+        while (!(std::ifstream(written) >> child))
+            ASSERT_FALSE(process.endsWithin(20ms));
+    }
+    const auto isRunning = [&] {
+        std::ifstream status("/proc/" + std::to_string(child) + "/stat");
+        std::string id, name, state;
+        return status >> id >> name >> state && state != "Z";
+    };
+    while (isRunning()) // its new parent hears of it soon
+        std::this_thread::yield();
+}
+
+TEST(ProgramInPath, IsTheFirstThatCanBeRun) {
+    EXPECT_TRUE(canBeRun(programInPath("sh").value()));
+    EXPECT_EQ(programInPath("no-such-program"), std::nullopt);
+    EXPECT_FALSE(canBeRun("/tmp"));
+    EXPECT_FALSE(canBeRun("/etc/passwd"));
+}
+
+} // namespace
+} // namespace esm
