@@ -1,7 +1,6 @@
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 
 #include "core/exchange/simulators/obj_surface.h"
-#include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/support/new_folder.h"
 
 namespace esm {
@@ -13,18 +12,18 @@ void writeXsp(const std::filesystem::path& file, const std::vector<VectorSpring>
     if (!springs.empty()) writeFileAtomically(file, xspText(springs, network.restPositions));
 }
 
-} // namespace
-
-void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means) {
+void writeSofaFiles(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means,
+                    std::optional<SofaRecording> recording) {
     ProgressParts parts(means.progress);
     NewFolder written(folder);
     const std::filesystem::path& place = written.unfinished();
     const SpringNetwork& network = *handover.tissue.network;
     const SpringSystem system = makeSpringSystem(handover.tissue);
     reportProgress(parts.next(0.05), 1);
-    const SofaSubject subject = sofaSubject(handover, system, means);
+    SofaSubject subject = sofaSubject(handover, system, means);
+    subject.recording = std::move(recording);
     reportProgress(parts.next(0.1), 1);
-    writeFileAtomically(place / "organ.scn", sofaSceneText(subject));
+    writeFileAtomically(place / sofaSceneFile, sofaSceneText(subject));
     reportProgress(parts.next(0.1), 1);
     writeXsp(place / dampingFile, subject.viscous, network);
     reportProgress(parts.next(0.1), 1);
@@ -34,6 +33,17 @@ void writeSofa(const Handover& handover, const std::filesystem::path& folder, co
     if (isDrawnInSofa(handover)) writeObjSurface(handover.project, place, rest);
     reportProgress(parts.rest(), 1);
     written.commit();
+}
+
+} // namespace
+
+void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means) {
+    writeSofaFiles(handover, folder, means, std::nullopt);
+}
+
+void writeRecordedSofa(const Handover& handover, const std::filesystem::path& folder,
+                       const HandoverMeans& means, const SofaRecording& recording) {
+    writeSofaFiles(handover, folder, means, recording);
 }
 
 } // namespace esm

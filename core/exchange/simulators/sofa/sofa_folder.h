@@ -2,6 +2,7 @@
 
 #include "core/exchange/simulators/difference.h"
 #include "core/exchange/simulators/handover.h"
+#include "core/exchange/simulators/sofa/sofa_scene.h"
 
 #include <filesystem>
 
@@ -12,6 +13,10 @@ namespace esm {
 /// of their own, and the drawn surface with its texture.
 /// @throws InvalidModel where axial damping leaves no stable step; FileError, Cancelled
 void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means);
+
+/// The same with a scene that writes down how the organ moves in SOFA.
+void writeRecordedSofa(const Handover& handover, const std::filesystem::path& folder,
+                       const HandoverMeans& means, const SofaRecording& recording);
 
 /// What SOFA does otherwise. @throws Cancelled
 Differences sofaDifferences(const Handover& handover, const HandoverMeans& means);

@@ -27,6 +27,7 @@ void addPlugins(const SofaSubject& subject, XmlText& xml) {
     if (subject.isImplicit()) names.emplace_back("LinearSolver.Iterative");
     const bool isDrawn = isDrawnInSofa(subject.handover);
     if (isDrawn) names.emplace_back("IO.Mesh");
+    if (subject.recording) names.emplace_back("Playback");
     for (const std::string& name : names)
         xml.add("RequiredPlugin", {{"pluginName", "Sofa.Component." + name}});
     if (isDrawn) xml.add("RequiredPlugin", {{"pluginName", "Sofa.GL.Component.Rendering3D"}});
@@ -188,12 +189,13 @@ std::vector<VectorSpring> undamped(std::vector<VectorSpring> springs) {
     return springs;
 }
 
-double chosenStep(const TissueModel& tissue, const EngineSettings& engine) {
-    if (engine.timeStep) return *engine.timeStep;
-    const auto usual = usualSofaStepFor(engine.damping, largestSofaStep(tissue, engine.damping));
-    if (usual) return *usual;
-    throw InvalidModel("no step of symplectic Euler is stable for it with axial damping; hand it over with "
-                       "isotropic damping");
+/// The recorder begins at the start by itself, and writes as a step begins.
+void addRecorder(const SofaSubject& subject, XmlText& xml) {
+    if (!subject.recording) return;
+    xml.add("WriteState", {{"filename", subject.recording->file.string()},
+                           {"time", "0"},
+                           {"period", exactText(subject.recording->every)},
+                           {"writeX", "1"}});
 }
 
 } // namespace
@@ -210,6 +212,14 @@ std::optional<double> usualSofaStepFor(Damping damping, const std::optional<doub
     return std::min(ofImplicitEuler, margin * *largestStep);
 }
 
+double sofaStep(const TissueModel& tissue, const EngineSettings& engine) {
+    if (engine.timeStep) return *engine.timeStep;
+    const auto usual = usualSofaStepFor(engine.damping, largestSofaStep(tissue, engine.damping));
+    if (usual) return *usual;
+    throw InvalidModel("no step of symplectic Euler is stable for it with axial damping; hand it over with "
+                       "isotropic damping");
+}
+
 SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means) {
     const SofaRelease release = releaseOf(means.engine.sofaVersion);
     const bool isImplicit = means.engine.damping == Damping::Isotropic;
@@ -218,7 +228,7 @@ SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, co
             .system = system,
             .release = release,
             .damping = means.engine.damping,
-            .timeStep = chosenStep(handover.tissue, means.engine),
+            .timeStep = sofaStep(handover.tissue, means.engine),
             .pictures = means.pictures.format,
             .viscous = isImplicit ? dampingOf(system, release) : std::vector<VectorSpring>{},
             .bending = isImplicit ? undamped(hinges) : hinges};
@@ -247,6 +257,7 @@ std::string sofaSceneText(const SofaSubject& subject) {
     addTethers(subject, xml);
     addFixedNodes(subject, xml);
     addSofaLoads(subject, xml);
+    addRecorder(subject, xml);
     addSurface(subject, xml);
     xml.close();
     xml.close();

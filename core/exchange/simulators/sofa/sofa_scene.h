@@ -5,9 +5,17 @@
 #include "core/exchange/simulators/sofa/sofa_release.h"
 #include "core/exchange/simulators/sofa/vector_springs.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace esm {
+
+/// What SOFA writes down while it steps the organ: where the nodes are at 0, every, 2·every and so on.
+struct SofaRecording {
+    std::filesystem::path file;
+    double every; ///< s, a multiple of the step
+};
 
 /// What a scene of SOFA is written from. How it steps the organ follows from the damping:
 ///
@@ -25,10 +33,12 @@ struct SofaSubject {
     double timeStep; ///< s
     PictureFormat pictures;
     std::vector<VectorSpring> viscous, bending; ///< in `dampingFile` and `hingeFile`
+    std::optional<SofaRecording> recording = {};
 
     bool isImplicit() const { return damping == Damping::Isotropic; }
 };
 
+inline constexpr const char* sofaSceneFile = "organ.scn";
 inline constexpr const char *hingeFile = "bending.xsp", *dampingFile = "damping.xsp";
 
 /// @param system of the handover's tissue
@@ -37,6 +47,10 @@ SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, co
 /// s, predicted; infinite where there is no limit, empty where no step is stable. @throws Cancelled
 std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping,
                                       const Progress& progress = {});
+
+/// s, that an organ is handed over with: what is asked for, else the usual one.
+/// @throws InvalidModel where axial damping leaves no stable step
+double sofaStep(const TissueModel& tissue, const EngineSettings& engine);
 
 /// Whether a drawn surface can follow the nodes in SOFA. It lies on triangles or in tetrahedra of nodes; on
 /// the line of a rigid organ it would collapse.

@@ -1,0 +1,160 @@
+#include "core/exchange/simulators/sofa/sofa_trial.h"
+
+#include "core/dynamics/measure/motion_error.h"
+#include "core/dynamics/measure/scene_accuracy.h"
+#include "core/dynamics/stability/stability.h"
+#include "core/exchange/simulators/sofa/sofa_run.h"
+#include "core/exchange/simulators/sofa/sofa_scene.h"
+#include "core/support/errors.h"
+#include "core/support/numbers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+using SofaFrames = std::vector<std::vector<Eigen::Vector3d>>; ///< m, at the start and at every record
+
+constexpr double referenceError = 1e-4; ///< of the motion
+
+/// The scene as SOFA runs it: to the end of its last step, with places at the same times.
+Scene scheduledScene(Scene scene, const SofaSchedule& schedule) {
+    scene.duration = schedule.duration();
+    scene.record = {schedule.every(), std::nullopt};
+    return scene;
+}
+
+/// The work is done in runs of ever shorter steps, nobody knows how many: each takes half of what is left.
+SofaFrames referenceFrames(const SceneRun& run, const Progress& progress) {
+    SofaFrames frames;
+    ProgressParts parts(progress);
+    Progress part;
+    double done = 0;
+    const NewFrameSink newSink = [&]() -> FrameSink {
+        frames.clear();
+        part = parts.nextOfRest(0.5);
+        done = 0;
+        return
+            [&frames](double, const std::vector<Eigen::Vector3d>& positions) { frames.push_back(positions); };
+    };
+    const Progress ofRun = [&](double fraction) {
+        done = std::max(done, fraction);
+        return !part || part(done);
+    };
+    runSceneToError(run, referenceError, newSink, ofRun);
+    return frames;
+}
+
+/// s of computing per simulated second, in the way that is recommended or else chosen.
+double usualWallTime(SceneRun run, const Project& project, const Progress& progress) {
+    double done = 0;
+    const Progress rising = [&](double fraction) {
+        done = std::max(done, fraction);
+        return !progress || progress(done);
+    };
+    const bool isRecommended = project.stepping && run.settings.damping == Damping::Isotropic &&
+                               isStable(run.model, project.stepping->stepping);
+    if (isRecommended) run.settings = withStepping(run.settings, project.stepping->stepping);
+    const NewFrameSink nothing = []() -> FrameSink {
+        return [](double, const std::vector<Eigen::Vector3d>&) {};
+    };
+    const SceneOutcome outcome =
+        isRecommended ? runScene(run, {}, rising) : runSceneResolved(run, nothing, rising).outcome;
+    return outcome.wallSeconds / outcome.simulatedSeconds;
+}
+
+/// @throws FileError where SOFA's times are others, as of a scene that was changed
+SofaFrames framesAt(const SofaSchedule& schedule, std::vector<SofaState> states,
+                    const std::filesystem::path& program) {
+    constexpr double writtenDigits = 1e-5; // of a time
+    SofaFrames frames;
+    for (std::size_t i = 0; i <= schedule.records; ++i) {
+        const double time = static_cast<double>(i) * schedule.every();
+        if (std::abs(states[i].time - time) > std::max(schedule.timeStep / 2, writtenDigits * time))
+            throw FileError(program, "has no state at " + roundedText(time) + " s; its next is at " +
+                                         roundedText(states[i].time) +
+                                         " s, so that it may be of a release whose steps are others");
+        frames.push_back(std::move(states[i].positions));
+    }
+    return frames;
+}
+
+bool hasMotion(const SofaFrames& frames) {
+    return std::any_of(frames.begin(), frames.end(),
+                       [&](const auto& frame) { return frame != frames.front(); });
+}
+
+std::uint32_t farthestNode(const SofaFrames& frames) {
+    std::uint32_t farthest = 0;
+    double most = 0;
+    for (const auto& frame : frames)
+        for (std::size_t node = 0; node < frame.size(); ++node) {
+            const double way = (frame[node] - frames.front()[node]).squaredNorm();
+            if (way <= most) continue;
+            most = way;
+            farthest = static_cast<std::uint32_t>(node);
+        }
+    return farthest;
+}
+
+std::vector<double> waysOf(std::uint32_t node, const SofaFrames& frames, const Eigen::Vector3d& rest) {
+    std::vector<double> ways;
+    for (const auto& frame : frames)
+        ways.push_back((frame[node] - rest).norm());
+    return ways;
+}
+
+/// What both motions come to.
+SofaTrial comparedTrial(const SofaFrames& here, const SofaFrames& there, const SofaSchedule& schedule) {
+    MotionError error;
+    for (std::size_t i = 1; i < here.size(); ++i)
+        error.add(there[i], here[i], here.front());
+    SofaTrial trial;
+    trial.error = error.relative();
+    trial.timeStep = schedule.timeStep;
+    trial.node = farthestNode(here);
+    const Eigen::Vector3d rest = here.front()[trial.node];
+    trial.here = waysOf(trial.node, here, rest);
+    trial.there = waysOf(trial.node, there, rest);
+    for (std::size_t i = 0; i < here.size(); ++i)
+        trial.times.push_back(static_cast<double>(i) * schedule.every());
+    return trial;
+}
+
+} // namespace
+
+Scene sceneInSofa(Scene scene) {
+    scene.instruments.clear();
+    scene.splits.clear();
+    scene.fillings.clear();
+    scene.pressures.clear();
+    return scene;
+}
+
+SofaTrial tryInSofa(const std::filesystem::path& program, const Handover& handover,
+                    const HandoverMeans& means) {
+    ProgressParts parts(means.progress);
+    const EngineSettings& engine = means.engine;
+    const SofaSchedule schedule =
+        sofaSchedule(handover.project.scene.duration, sofaStep(handover.tissue, engine));
+    const Scene scene = scheduledScene(handover.project.scene, schedule);
+    SimulationSettings settings;
+    settings.damping = engine.damping;
+    const SceneRun run{handover.tissue, {}, scene, settings};
+    const SofaFrames here = referenceFrames(run, parts.next(0.4));
+    if (here.size() != schedule.records + 1 || !hasMotion(here))
+        throw InvalidModel("nothing moves the organ: give its scene a force or a led node, by esmc scene");
+    const double wallHere = usualWallTime(run, handover.project, parts.next(0.1));
+    HandoverMeans stepped = means;
+    stepped.engine.timeStep = schedule.timeStep;
+    stepped.progress = parts.rest();
+    SofaRun sofa = runInSofa(program, handover, stepped, schedule);
+    SofaTrial trial = comparedTrial(here, framesAt(schedule, std::move(sofa.states), program), schedule);
+    trial.wallHere = wallHere;
+    trial.wallThere = sofa.wallPerSimulatedSecond;
+    return trial;
+}
+
+} // namespace esm
