@@ -1,15 +1,19 @@
 #include "app/editor/dialogs/export_dialog.h"
 
+#include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/box_setup.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/sentence.h"
+#include "app/editor/dialogs/sofa_trial_dialog.h"
+#include "core/exchange/simulators/sofa/sofa_run.h"
+#include "core/model/gentle_pull.h"
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/control_keys.h"
+#include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
 
-#include <QDialogButtonBox>
 #include <QPushButton>
 
 namespace esm {
@@ -62,8 +66,8 @@ void addField(QFormLayout* form, const QString& caption, QWidget* field, const Q
 
 } // namespace
 
-ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, QWidget* parent)
-    : QDialog(parent), m_exporter(exporter), m_handover(handover),
+ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, Scene tried, QWidget* parent)
+    : QDialog(parent), m_exporter(exporter), m_handover(handover), m_tried(std::move(tried)),
       m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)) {
     setWindowTitle(tr("Export: %1").arg(QString::fromStdString(exporter.title)));
     setObjectName(QStringLiteral("exportDialog"));
@@ -139,9 +143,45 @@ void ExportDialog::addAnswer(QVBoxLayout* column) {
     accepting->setDefault(true);
     buttons->addButton(accepting, QDialogButtonBox::AcceptRole);
     buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
+    if (m_exporter.name == "sofa") addTrial(*buttons);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+void ExportDialog::addTrial(QDialogButtonBox& buttons) {
+    const std::optional<std::filesystem::path> program = installedSofa();
+    if (!program) return;
+    auto* trying = new QPushButton(tr("&Try it in SOFA…"), this);
+    trying->setObjectName(QStringLiteral("exportTrial"));
+    trying->setAutoDefault(false);
+    enable(trying, movesTissue(m_tried),
+           tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other: "
+              "the recorded pull, or else the project's scene"),
+           tr("Nothing moves the organ: record a poke in the workspace Measure and pull at it, or give the "
+              "project a scene with a force or a led node"));
+    buttons.addButton(trying, QDialogButtonBox::ActionRole);
+    connect(trying, &QPushButton::clicked, this, [this, program] { tryIn(*program); });
+}
+
+void ExportDialog::tryIn(const std::filesystem::path& program) {
+    if (!takesAllNumbers(*this)) return;
+    attempt(this, tr("The organ was not tried in SOFA"), [&] {
+        const SofaTrial trial = computeLong(
+            this, tr("Moving the organ here and in SOFA"),
+            [&](const Progress& progress) {
+                Project project = m_handover.project;
+                project.scene = m_tried;
+                ProgressParts parts(progress);
+                const Handover handover = handoverOf(project, parts.next(0.02));
+                HandoverMeans means;
+                means.progress = parts.rest();
+                means.engine = m_settings;
+                return tryInSofa(program, handover, means);
+            },
+            Cancelling::Offered);
+        SofaTrialDialog(trial, this).exec();
+    });
 }
 
 /// The largest step of a large organ takes a while.

@@ -5,6 +5,7 @@
 
 #include <QComboBox>
 #include <QDialog>
+#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -17,7 +18,8 @@ class ExportDialog : public QDialog {
 
 public:
     /// @param handover outlives the dialog
-    ExportDialog(const Exporter& exporter, const Handover& handover, QWidget* parent = nullptr);
+    /// @param tried what can be tried in the program where that is installed
+    ExportDialog(const Exporter& exporter, const Handover& handover, Scene tried, QWidget* parent = nullptr);
 
     const EngineSettings& settings() const { return m_settings; }
     /// Not while a number in it is refused.
@@ -29,10 +31,13 @@ private:
     void addDamping(QFormLayout* form);
     void addTimeStep(QFormLayout* form);
     void addAnswer(QVBoxLayout* column);
+    void addTrial(QDialogButtonBox& buttons);
+    void tryIn(const std::filesystem::path& program);
     void look();
 
     const Exporter& m_exporter;
     const Handover& m_handover;
+    const Scene m_tried;
     EngineSettings m_settings;
     NumberField* m_timeStep = nullptr; ///< null where no engine steps what is written
     QLabel *m_differences, *m_steps;

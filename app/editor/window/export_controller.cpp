@@ -7,6 +7,9 @@
 #include "app/editor/dialogs/open_dialog.h"
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/document/file_memory.h"
+#include "app/editor/workers/poke_test.h"
+#include "app/editor/workers/pulled_scene.h"
+#include "core/exchange/simulators/sofa/sofa_trial.h"
 #include "core/offscreen/preview_picture.h"
 
 #include <algorithm>
@@ -55,10 +58,18 @@ void ExportController::choose() {
     exportTo(file->path, kinds.at(static_cast<std::size_t>(std::max(file->filter, 0))).pictures);
 }
 
+/// The recorded pull, or else the project's own scene as SOFA has it.
+Scene ExportController::triedScene(const Handover& handover) const {
+    if (m_poke && m_poke->poke())
+        if (auto pulled = sceneOfPull(*m_poke->poke(), handover.project, handover.tissue))
+            return std::move(*pulled);
+    return sceneInSofa(handover.project.scene);
+}
+
 std::optional<EngineSettings> ExportController::askedSettings(const Handover& handover,
                                                               const Exporter& exporter) {
     if (!exporter.isStepped && differencesOf(handover, exporter).list.empty()) return EngineSettings{};
-    ExportDialog dialog(exporter, handover, &m_window);
+    ExportDialog dialog(exporter, handover, triedScene(handover), &m_window);
     if (ask(m_window, [&] { return dialog.exec(); }) != QDialog::Accepted) return std::nullopt;
     return dialog.settings();
 }

@@ -8,6 +8,8 @@
 
 namespace esm {
 
+class PokeTest;
+
 /// Hands the organ over to other programs, after saying what will differ there.
 class ExportController : public QObject {
     Q_OBJECT
@@ -15,6 +17,8 @@ class ExportController : public QObject {
 public:
     ExportController(QWidget& window, Document& document);
 
+    /// The poke that was recorded last can be tried in other programs. @param poke outlives this
+    void offerPoke(const PokeTest& poke) { m_poke = &poke; }
     /// Asks for the file and its kind.
     void choose();
     /// In the format that the file's ending says; the first there is where it says none.
@@ -29,8 +33,11 @@ private:
     /// Nothing where the user gives up.
     std::optional<EngineSettings> askedSettings(const Handover& handover, const Exporter& exporter);
 
+    Scene triedScene(const Handover& handover) const;
+
     QWidget& m_window;
     Document& m_document;
+    const PokeTest* m_poke = nullptr;
 };
 
 } // namespace esm

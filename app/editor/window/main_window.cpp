@@ -98,6 +98,7 @@ void MainWindow::makeControllers() {
     m_files = new FileController(*this, *m_document, *m_photos, [this] {
         return EditorState{m_workspaces->chosen(), m_preview->status().playing};
     });
+    m_files->exports().offerPoke(*m_poke);
     m_edits = new EditController(*this, *m_document, *m_selection, *m_view);
     m_device = new DeviceController(*m_view, *m_document, *m_selection,
                                     *new MotionDevice(MotionDevice::serviceSocket(), this));

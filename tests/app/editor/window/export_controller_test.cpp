@@ -1,11 +1,15 @@
 #include "app/editor/window/export_controller.h"
 
 #include "app/editor/window/file_controller.h"
+#include "app/editor/workers/poke_test.h"
 #include "core/samples/samples.h"
 #include "core/support/file_io.h"
+#include "tests/app/editor/workers/poked_organ.h"
 #include "tests/app/editor_driver.h"
+#include "tests/support/stand_in_sofa.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/inputs/number_field.h"
+#include "widgets/plot/curve_chart.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -54,6 +58,88 @@ TEST_F(ExportControllerTest, WritesNothingWhereTheQuestionIsCancelled) {
 TEST_F(ExportControllerTest, AsksNothingOfAPackage) {
     window->files().exports().exportTo(folder / "organ.glb");
     EXPECT_TRUE(std::filesystem::exists(folder / "organ.glb"));
+}
+
+class ExportToSofaTest : public EditorTest {
+protected:
+    void look(const std::function<void(QDialog*)>& look) {
+        dialogs.expectNamed("exportDialog", [look](QDialog* dialog) {
+            look(dialog);
+            dialog->reject();
+        });
+        window->files().exports().exportTo(folder / "organ.sofa");
+        EXPECT_TRUE(dialogs.isDone());
+    }
+    /// Presses the button and answers the dialog that follows.
+    void tryIt(const QString& following, const std::function<void(QDialog*)>& answer) {
+        dialogs.expectNamed("exportDialog", [](QDialog* dialog) {
+            QTimer::singleShot(0, trialIn(dialog), &QPushButton::click);
+        });
+        dialogs.expectNamed(following, answer);
+        look([](QDialog*) {});
+    }
+    static QPushButton* trialIn(const QDialog* dialog) {
+        return dialog->findChild<QPushButton*>("exportTrial");
+    }
+
+    TemporaryFolder folder;
+};
+
+TEST_F(ExportToSofaTest, OffersNoTrialWhereSofaIsNotInstalled) {
+    const esm::test::WithVariable named("ESM_RUNSOFA", folder / "none");
+    open(esm::test::falling(makeSample("tube")));
+    look([](QDialog* dialog) { EXPECT_EQ(trialIn(dialog), nullptr); });
+}
+
+TEST_F(ExportToSofaTest, SaysWhatToDoWhereNothingMovesTheOrgan) {
+    const esm::test::WithVariable named("ESM_RUNSOFA", esm::test::standInSofa());
+    open(makeSample("tube"));
+    look([](QDialog* dialog) {
+        ASSERT_NE(trialIn(dialog), nullptr);
+        EXPECT_FALSE(trialIn(dialog)->isEnabled());
+        EXPECT_TRUE(trialIn(dialog)->toolTip().contains("record a poke"));
+    });
+}
+
+TEST_F(ExportToSofaTest, OffersToTryTheRecordedPull) {
+    const esm::test::WithVariable named("ESM_RUNSOFA", esm::test::standInSofa());
+    open(pokedOrgan());
+    auto* poke = window->findChild<PokeTest*>();
+    auto* preview = window->findChild<Preview*>();
+    poke->record();
+    ESM_EVENTUALLY(poke->recordedTime() > 0.1);
+    preview->setPull(Pull{40, project().network->restPositions[40] + Eigen::Vector3d(0.02, 0, 0)});
+    const double taken = poke->recordedTime();
+    ESM_EVENTUALLY(poke->recordedTime() > taken + 0.3);
+    poke->stop();
+    look([](QDialog* dialog) { EXPECT_TRUE(trialIn(dialog)->isEnabled()); });
+}
+
+TEST_F(ExportToSofaTest, ShowsTheMotionHereAndInSofa) {
+    const esm::test::WithVariable named("ESM_RUNSOFA", esm::test::standInSofa());
+    open(esm::test::falling(makeSample("tube")));
+    QString said, error, times;
+    tryIt("sofaTrialDialog", [&](QDialog* dialog) {
+        said = dialog->findChild<CurveChart*>()->spokenValue();
+        error = dialog->findChild<QLabel*>("sofaTrialError")->text();
+        times = dialog->findChild<QLabel*>("sofaTrialTimes")->text();
+        dialog->reject();
+    });
+    EXPECT_EQ(said.toStdString(), "here, 0.100 s: 49.1 mm; in SOFA, 0.100 s: 49.1 mm");
+    EXPECT_TRUE(error.contains("20 times")) << error.toStdString();
+    EXPECT_TRUE(times.contains("in SOFA in steps of 5.00 ms")) << times.toStdString();
+}
+
+TEST_F(ExportToSofaTest, SaysWhatSofaSaidWhereItFails) {
+    const esm::test::WithVariable named("ESM_RUNSOFA", esm::test::standInSofa());
+    const esm::test::WithVariable role("SOFA_ROLE", "error");
+    open(esm::test::falling(makeSample("tube")));
+    QString problem;
+    tryIt("problemBox", [&](QDialog* box) {
+        problem = qobject_cast<QMessageBox*>(box)->informativeText();
+        box->reject();
+    });
+    EXPECT_TRUE(problem.contains("no such component")) << problem.toStdString();
 }
 
 } // namespace

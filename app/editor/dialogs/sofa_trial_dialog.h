@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/exchange/simulators/sofa/sofa_trial.h"
+
+#include <QDialog>
+
+namespace esm {
+
+/// Shows how an organ moved here and in SOFA, one curve over the other, how far both are apart, and how long
+/// each took.
+class SofaTrialDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit SofaTrialDialog(const SofaTrial& trial, QWidget* parent = nullptr);
+};
+
+} // namespace esm

@@ -1,0 +1,67 @@
+#include "app/editor/workers/pulled_scene.h"
+
+#include "app/editor/workers/grasp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr double pathInterval = 0.01; ///< s; what is grasped follows the hand in three times that
+constexpr double shortestPull = 0.1;  ///< s
+
+struct PullSpan {
+    std::uint32_t node;
+    double begin, end; ///< s
+};
+
+std::optional<PullSpan> firstPull(const Poke& poke) {
+    const auto& moments = poke.moments;
+    const auto first = std::find_if(moments.begin(), moments.end(),
+                                    [](const HandMoment& moment) { return moment.loads.pull.has_value(); });
+    if (first == moments.end()) return std::nullopt;
+    const std::uint32_t node = first->loads.pull->node;
+    const auto next = std::find_if(first, moments.end(), [&](const HandMoment& moment) {
+        return !moment.loads.pull || moment.loads.pull->node != node;
+    });
+    return PullSpan{node, first->time, next == moments.end() ? poke.duration : next->time};
+}
+
+/// Where the grasped nodes are led, as displacements from rest; times from when the hand took hold.
+std::vector<NodeMove> movesUnder(const Poke& poke, const PullSpan& span, int intervals,
+                                 const TissueModel& tissue) {
+    const std::vector<Eigen::Vector3d>& rest = tissue.network->restPositions;
+    Grasp grasp(tissue, rest, span.node);
+    std::vector<NodeMove> moves;
+    for (const std::uint32_t node : grasp.nodes())
+        moves.push_back({node, {{0, Eigen::Vector3d::Zero()}}});
+    for (int i = 0; i < intervals; ++i) {
+        const PreviewLoads loads = loadsAt(poke, span.begin + i * pathInterval);
+        if (loads.pull) grasp.setTarget(loads.pull->target);
+        std::vector<PrescribedNode> prescribed;
+        grasp.advance(pathInterval, prescribed);
+        for (std::size_t k = 0; k < moves.size(); ++k)
+            moves[k].path.push_back({(i + 1) * pathInterval, prescribed[k].position - rest[moves[k].node]});
+    }
+    return moves;
+}
+
+} // namespace
+
+std::optional<Scene> sceneOfPull(const Poke& poke, const Project& project, const TissueModel& tissue) {
+    const Poke carried = carriedOver(poke, project.network);
+    const auto span = firstPull(carried);
+    if (!span || span->end - span->begin < shortestPull) return std::nullopt;
+    const int intervals = static_cast<int>(std::floor((span->end - span->begin) / pathInterval));
+    Scene scene;
+    scene.gravity = project.scene.gravity;
+    scene.fixed = project.scene.fixed;
+    scene.tethers = project.scene.tethers;
+    scene.moves = movesUnder(carried, *span, intervals, tissue);
+    scene.duration = intervals * pathInterval;
+    return scene;
+}
+
+} // namespace esm

@@ -1,0 +1,59 @@
+#include "app/editor/workers/pulled_scene.h"
+
+#include "core/dynamics/measure/scene_run.h"
+#include "tests/app/editor/workers/poked_organ.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+class PulledScene : public testing::Test {
+protected:
+    const Project project = pokedOrgan();
+    const TissueModel tissue = evaluateModel(project);
+    const RecordedRun recorded{project};
+    std::optional<Scene> scene = sceneOfPull(recorded.recorder.poke(), project, tissue);
+};
+
+} // namespace
+
+TEST_F(PulledScene, LeadsWhatTheHandHeldUntilItLetGo) {
+    ASSERT_TRUE(scene);
+    EXPECT_NEAR(scene->duration, 0.4, 1.0 / 60 + 0.01);
+    EXPECT_EQ(scene->tethers, project.scene.tethers);
+    EXPECT_TRUE(validate(*scene, project.network->restPositions.size()).empty());
+    ASSERT_EQ(scene->moves.front().node, 40U);
+    const Path& path = scene->moves.front().path;
+    EXPECT_TRUE(path.front().value.isZero());
+    EXPECT_LT((path.back().value - Eigen::Vector3d(0.01, 0.02, 0)).norm(), 0.002);
+}
+
+TEST_F(PulledScene, MovesTheOrganAsTheHandDid) {
+    ASSERT_TRUE(scene);
+    scene->record.every = scene->duration;
+    const Poke& poke = recorded.recorder.poke();
+    const double taken = poke.moments.at(1).time;
+    PreviewRun watched;
+    ASSERT_TRUE(watched.take(prepareProject(project)));
+    ASSERT_TRUE(watched.follow(poke, taken + scene->duration));
+    std::vector<Eigen::Vector3d> end;
+    runScene({tissue, {}, *scene}, [&](double, const auto& positions) { end = positions; });
+    const auto& rest = project.network->restPositions;
+    double most = 0, apart = 0;
+    const std::vector<Eigen::Vector3d>& seen = watched.positions();
+    for (std::size_t node = 0; node < rest.size(); ++node) {
+        most = std::max(most, (seen[node] - rest[node]).norm());
+        apart = std::max(apart, (seen[node] - end[node]).norm());
+    }
+    EXPECT_GT(most, 0.01);
+    EXPECT_LT(apart, 0.1 * most);
+}
+
+TEST_F(PulledScene, IsNoneWithoutAPull) {
+    Poke poke = recorded.recorder.poke();
+    for (HandMoment& moment : poke.moments)
+        moment.loads.pull.reset();
+    EXPECT_FALSE(sceneOfPull(poke, project, tissue));
+}
