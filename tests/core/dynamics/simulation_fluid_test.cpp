@@ -4,6 +4,7 @@
 #include "core/support/errors.h"
 #include "tests/support/every_integrator.h"
 #include "tests/support/filled_ball.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/simulation_settings.h"
 
 #include <gmock/gmock.h>
@@ -63,7 +64,7 @@ Vectors settled(const TissueModel& model, const SimulationSettings& settings, co
 } // namespace
 
 TEST(PressedBall, HasTheTensionOfLaplacesLaw) {
-    for (const double share : {0.05, 0.2, 0.5, 0.8, 0.95}) {
+    for (const double share : isSanitized() ? std::vector{0.5} : std::vector{0.05, 0.2, 0.5, 0.8, 0.95}) {
         const double pressure = share * burstPressure;
         const TissueModel model = tissue::filledBall(3, wall, {0, pressure});
         const Vectors ball =
@@ -79,6 +80,7 @@ TEST(PressedBall, HasTheTensionOfLaplacesLaw) {
 
 TEST(PressedBall, BurstsWhereItsWallCanHoldNoMore) {
     for (const Integrator integrator : {Integrator::Implicit, Integrator::Split, Integrator::Euler}) {
+        if (isSanitized() && isExplicit(integrator)) continue; // too many short steps
         for (const double share : {0.97, 1.05}) {
             const double pressure = share * burstPressure;
             const TissueModel model = tissue::filledBall(2, wall, {0, pressure});

@@ -119,7 +119,8 @@ int stepsToWatch(Integrator integrator) {
 
 // With what holds and moves them.
 TEST_P(EnergyWatchByEach, RaisesNoAlarmOnTheProgramsOrgans) {
-    for (const char* organ : {"tube", "ventricle", "liver"}) {
+    for (const std::string organ : {"tube", "ventricle", "liver"}) {
+        if (isSanitized() && organ != "tube") continue; // more of the same steps
         const Project project = makeSample(organ);
         const TissueModel model = evaluateModel(project);
         const auto limit = criticalStep(model, GetParam());
