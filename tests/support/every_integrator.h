@@ -26,3 +26,8 @@ template<class Predicate> std::vector<esm::Integrator> integratorsThat(const Pre
 inline std::vector<esm::Integrator> explicitIntegrators() {
     return integratorsThat(esm::isExplicit);
 }
+
+/// Whether it bears only short steps, of which a few show the sanitizers as much as many.
+inline bool takesShortSteps(esm::Integrator integrator) {
+    return isExplicit(integrator) || integrator == esm::Integrator::Propagation;
+}

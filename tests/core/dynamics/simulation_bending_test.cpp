@@ -161,7 +161,7 @@ bool blowsUp(const TissueModel& model, Integrator integrator, double step) {
 
 // Thin, where springs limit the step, and thick, where hinges do.
 TEST(Bending, CountsInTheLongestStableStep) {
-    for (const double wall : {0.003, 0.02, 0.1}) {
+    for (const double wall : isSanitized() ? std::vector{0.02} : std::vector{0.003, 0.02, 0.1}) {
         const TissueModel model = wallOf(lumpySurface(8, 9), {20, 0.01, 1e-4}, wall);
         for (const Integrator integrator : explicitIntegrators()) {
             SCOPED_TRACE(std::string(integratorName(integrator)) + " " + std::to_string(wall));
