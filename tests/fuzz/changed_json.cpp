@@ -1,7 +1,7 @@
 #include "tests/fuzz/changed_json.h"
 
 #include "core/support/errors.h"
-#include "core/support/json_reader.h"
+#include "tests/fuzz/json_input.h"
 
 #include <random>
 
@@ -109,9 +109,8 @@ void changeOne(FuzzedJson& json, JsonRandom& random) {
 } // namespace
 
 Bytes changedJson(const Bytes& text, std::uint32_t seed) {
-    const char* const begin = reinterpret_cast<const char*>(text.data());
     try {
-        FuzzedJson json = parseJson(begin, begin + text.size());
+        FuzzedJson json = jsonFrom(text);
         JsonRandom random(seed + 1);
         changeOne(json, random);
         const std::string changed = json.dump();

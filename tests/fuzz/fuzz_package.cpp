@@ -1,5 +1,6 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
+#include "core/support/byte_order.h"
 #include "core/support/errors.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/json_input.h"
@@ -33,28 +34,23 @@ Bytes withoutChecksums(const Bytes& text) {
     }
 }
 
-void addWord(Bytes& glb, std::size_t word) {
-    for (int byte = 0; byte < 4; ++byte)
-        glb.push_back(static_cast<std::uint8_t>(word >> (8 * byte)));
-}
-
-void addChunk(Bytes& glb, std::size_t kind, Bytes chunk, std::uint8_t filling) {
+void addChunk(Bytes& glb, std::uint32_t kind, Bytes chunk, std::uint8_t filling) {
     while (chunk.size() % 4 != 0)
         chunk.push_back(filling);
-    addWord(glb, chunk.size());
-    addWord(glb, kind);
+    appendLittleEndian(glb, static_cast<std::uint32_t>(chunk.size()));
+    appendLittleEndian(glb, kind);
     glb.insert(glb.end(), chunk.begin(), chunk.end());
 }
 
+/// Not by writeGlb(), which takes no text that is none of JSON.
 Bytes glbOf(const std::vector<Bytes>& chunks) {
-    constexpr std::size_t magic = 0x46546C67, json = 0x4E4F534A, binary = 0x004E4942;
+    constexpr std::uint32_t magic = 0x46546C67, version = 2, json = 0x4E4F534A, binary = 0x004E4942;
     Bytes content;
     addChunk(content, json, chunks[0], ' ');
     addChunk(content, binary, chunks[1], 0);
     Bytes glb;
-    addWord(glb, magic);
-    addWord(glb, 2);
-    addWord(glb, 12 + content.size());
+    for (const std::uint32_t word : {magic, version, static_cast<std::uint32_t>(12 + content.size())})
+        appendLittleEndian(glb, word);
     glb.insert(glb.end(), content.begin(), content.end());
     return glb;
 }
