@@ -126,6 +126,17 @@ std::optional<double> secondsIn(const Bytes& output) {
     return seconds && isAmount(*seconds) ? seconds : std::nullopt;
 }
 
+/// What is wrong with them is told of the program: their file is gone by then.
+std::vector<SofaState> writtenStates(const SofaPlaces& places, std::size_t nodes, std::size_t most,
+                                     const Progress& progress) {
+    if (!fs::exists(places.states())) return {};
+    try {
+        return readSofaStates(places.states(), nodes, most, progress);
+    } catch (const InvalidModel& refusal) {
+        throw FileError(places.program, std::string("wrote a motion that ") + refusal.what());
+    }
+}
+
 double wallSecondsOf(const SofaPlaces& places) {
     if (const auto seconds = secondsIn(readFile(places.output(), mostOutput))) return *seconds;
     throw FileError(places.program, "did not say how long it took; " + lastWords(places.output()));
@@ -170,8 +181,7 @@ SofaRun runInSofa(const fs::path& program, const Handover& handover, const Hando
         requireSofaEnded(places, sofa.status());
     }
     SofaRun run;
-    if (fs::exists(places.states()))
-        run.states = readSofaStates(places.states(), nodes, schedule.records + 1, parts.rest());
+    run.states = writtenStates(places, nodes, schedule.records + 1, parts.rest());
     requireAllStates(places, run.states.size(), schedule);
     run.wallPerSimulatedSecond = wallSecondsOf(places) / (schedule.timeStep * static_cast<double>(steps));
     reportProgress(means.progress, 1);

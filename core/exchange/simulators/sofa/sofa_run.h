@@ -37,7 +37,7 @@ struct SofaRun {
 /// with this call, whatever becomes of that, and where the system has `setpriv` with the thread that called.
 /// @param means with the schedule's step
 /// @throws FileError saying what SOFA said where it does not start, ends with an error, writes no motion or
-/// not all of it, as on a full disk, and as readSofaStates(); InvalidModel as writeSofa(); Cancelled
+/// not all of it, as on a full disk, or what readSofaStates() refuses; InvalidModel as writeSofa(); Cancelled
 SofaRun runInSofa(const std::filesystem::path& program, const Handover& handover, const HandoverMeans& means,
                   const SofaSchedule& schedule);
 

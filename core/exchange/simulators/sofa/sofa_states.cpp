@@ -1,5 +1,6 @@
 #include "core/exchange/simulators/sofa/sofa_states.h"
 
+#include "core/support/errors.h"
 #include "core/support/numbers.h"
 #include "core/support/text_lines.h"
 
@@ -14,7 +15,7 @@ constexpr std::size_t mostBytesBesides = 256; ///< of a state, and once of the f
 
 class SofaStateReader {
 public:
-    SofaStateReader(const std::filesystem::path& file, std::size_t nodes) : m_file(file), m_nodes(nodes) {}
+    explicit SofaStateReader(std::size_t nodes) : m_nodes(nodes) {}
 
     std::vector<SofaState> read(const Bytes& content) {
         TextLines lines(content);
@@ -54,18 +55,17 @@ private:
         const bool isNone = word.ends_with("nan") || word.ends_with("inf");
         const auto number = isNone ? std::nullopt : wholeNumber<double>(word);
         if (isNone || (number && !std::isfinite(*number)))
-            throw FileError(m_file, "is not finite" + (m_time ? " at " + roundedText(*m_time) + " s" : "") +
-                                        ": the motion blew up in SOFA; choose a shorter time step");
+            throw InvalidModel("is not finite" + (m_time ? " at " + roundedText(*m_time) + " s" : "") +
+                               ": the motion blew up in SOFA; choose a shorter time step");
         if (!number) fail("has \"" + std::string(word.substr(0, mostBytesOfNumber)) + "\" for a number");
         return *number;
     }
 
     [[noreturn]] void fail(const std::string& problem) const {
-        throw FileError(m_file, "in line " + std::to_string(m_line) + " " + problem +
-                                    "; SOFA's scene or its release may be another than was written");
+        throw InvalidModel("in line " + std::to_string(m_line) + " " + problem +
+                           "; SOFA's scene or its release may be another than was written");
     }
 
-    std::filesystem::path m_file;
     std::size_t m_nodes, m_line = 0;
     std::optional<double> m_time; ///< s, whose places come next
     std::vector<SofaState> m_states;
@@ -84,7 +84,7 @@ std::vector<SofaState> readSofaStates(const std::filesystem::path& file, std::si
     const std::size_t ofState = 3 * nodes * mostBytesOfNumber + mostBytesBesides;
     Bytes content = readFile(file, most * ofState + mostBytesBesides, progress);
     dropUnfinishedLine(content);
-    return SofaStateReader(file, nodes).read(content);
+    return SofaStateReader(nodes).read(content);
 }
 
 } // namespace esm

@@ -63,7 +63,7 @@ TEST_F(SofaRuns, SayWhatSofaSaidWhereItFails) {
     EXPECT_THAT(errorOf("silent"), AllOf(HasSubstr("wrote no motion"), HasSubstr("iterations done")));
     EXPECT_THAT(errorOf("short"), HasSubstr("wrote 9 of the 20"));
     EXPECT_THAT(errorOf("cut"), HasSubstr("wrote 19 of the 20"));
-    EXPECT_THAT(errorOf("nan"), HasSubstr("blew up"));
+    EXPECT_THAT(errorOf("nan"), AllOf(HasSubstr("blew up"), testing::Not(HasSubstr("states.txt"))));
     EXPECT_THAT(errorOf("nodes"), HasSubstr("nodes where"));
 }
 

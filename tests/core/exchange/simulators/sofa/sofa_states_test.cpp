@@ -21,7 +21,7 @@ protected:
     std::string errorOf(const std::string& text) {
         try {
             read(text);
-        } catch (const FileError& error) {
+        } catch (const InvalidModel& error) {
             return error.what();
         }
         return "no error";
