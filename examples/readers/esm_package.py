@@ -122,7 +122,9 @@ class Container:
 
     def check_sums(self, place):
         """That no bit has flipped, by the accessor with the check sums of all views; in its own view's place, the last, that of the JSON."""
-        *sums, of_json = self.numbers(place, "SCALAR", len(self.json["bufferViews"]))
+        views = self.json.get("bufferViews")
+        need(isinstance(views, list) and views, "has no bufferViews")
+        *sums, of_json = self.numbers(place, "SCALAR", len(views))
         need(zlib.crc32(self.text) == of_json, "is damaged: its JSON does not have the check sum that it should")
         for view, wanted in enumerate(sums):
             need(zlib.crc32(self.bytes(view)) == wanted, "is damaged: bufferViews/%d does not have the check sum that it should" % view)
@@ -173,10 +175,12 @@ class Reader:
 
     def array(self, group, row):
         key, counted, each, type, allowed = row
+        holder = self.json[group]
+        need(isinstance(holder, dict), "holds nothing at %s" % group)
         count = self.count(counted if "." in counted else "%s.%s" % (group, counted))
         if count == 0:
             return array("d" if allowed in ALLOWED else "I")
-        values = self.container.numbers(self.json[group].get(key), type, count * each // SIZES[type])
+        values = self.container.numbers(holder.get(key), type, count * each // SIZES[type])
         self.check(values, allowed, "%s.%s" % (group, key))
         return values
 

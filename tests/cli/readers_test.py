@@ -150,6 +150,30 @@ def damaged(content, random):
     return bytes(content)
 
 
+OTHER_VALUES = [None, True, -1, 0, 1, 10 ** 9, 1 << 40, 1.5, float("inf"), float("nan"), "", "SCALAR", [], [{}], {}]
+
+
+def places_in(json, way=()):
+    """The way to each value that another holds."""
+    for key, value in (json.items() if isinstance(json, dict) else enumerate(json) if isinstance(json, list) else ()):
+        yield (*way, key)
+        yield from places_in(value, (*way, key))
+
+
+def change_json(model, gltf, random):
+    """Takes a value out of a package, or puts another in its place, mostly without check sums, which would notice all of it."""
+    if random.random() < 0.7:
+        model.pop("checksums", None)
+    holder = random.choice([model, gltf])
+    *way, last = random.choice(list(places_in(holder)))
+    for key in way:
+        holder = holder[key]
+    if random.random() < 0.3:
+        del holder[last]
+    else:
+        holder[last] = random.choice(OTHER_VALUES)
+
+
 class DamagedPackageTest(ReaderCase):
     def refused(self, file):
         """The message of the reader that refuses it; None where it can be read."""
@@ -182,6 +206,7 @@ class DamagedPackageTest(ReaderCase):
                 ("elements", lambda model, _: model["nodes"].update(count=7)),
                 ("mean", lambda model, _: model["springs"].update(springConstant=model["springs"]["restLength"])),
                 ("accessors", lambda model, _: model["nodes"].update(mass=10 ** 9)),
+                ("sheet", lambda model, _: model.update(sheet=7)),
                 ("beyond", lambda _, gltf: gltf["bufferViews"][0].update(byteLength=1 << 40))):
             self.assertIn(word, self.refused(self.changed(source, change)) or "was read")
 
@@ -191,6 +216,7 @@ class DamagedPackageTest(ReaderCase):
         start = 20 + struct.unpack_from("<I", content, 12)[0] + 8
         content[start + 2] ^= 1
         self.assertIn("check sum", self.refused(self.file("flipped.glb", bytes(content))) or "was read")
+        self.assertIn("no bufferViews", self.refused(self.changed(source, lambda _, gltf: gltf.pop("bufferViews"))) or "was read")
 
     def test_never_breaks_on_damage(self):
         seen = 0
@@ -198,6 +224,13 @@ class DamagedPackageTest(ReaderCase):
             source = random.Random(seed_of(round))
             content = damaged(source.choice(KEPT).read_bytes(), source)
             seen += self.refused(self.file("damaged.glb", content)) is not None
+        self.assertGreater(seen, 50)
+
+    def test_never_breaks_on_changed_json(self):
+        seen = 0
+        for round in range(rounds_of(200, 5000)):
+            source = random.Random(seed_of(round))
+            seen += self.refused(self.changed(source.choice(KEPT), lambda model, gltf: change_json(model, gltf, source))) is not None
         self.assertGreater(seen, 50)
 
 
@@ -216,9 +249,10 @@ class CSharpReaderTest(ReaderCase):
 
     def test_reads_every_kept_package(self):
         for file in KEPT:
-            info, done = self.done("info", file), self.read(file)
+            info, hinges, done = self.done("info", file), esm_package.read_package(file).hinges, self.read(file)
             self.assertEqual((done.returncode, done.stderr), (0, ""), file)
-            self.assertEqual(done.stdout, f"{info['nodes']} nodes, {info['springs']} springs, 0 hinges\n")
+            count = len(hinges.get("stiffness", ()))
+            self.assertEqual(done.stdout, f"{info['nodes']} nodes, {info['springs']} springs, {count} hinges\n")
 
     def agrees(self, file, time_step, steps):
         nodes, surface = self.simulated(file, time_step, steps)
