@@ -1,106 +1,61 @@
 """Makes a soft body in Blender of a model package (.glb) of the Elastodynamic Shape Modeler.
 
     blender --python blender_soft_body.py -- ORGAN.glb
-    blender --background --python blender_soft_body.py -- ORGAN.glb --frames 50 --save ORGAN.blend
+    blender --background --python blender_soft_body.py -- ORGAN.glb ORGAN.blend
 
-Tried with Blender 3.4.1. It reads the package itself, as importers before 3.6 leave out the attributes _ESM_MASS and so
-on, and joins what is drawn into one vertex per vertex of the surface, by _ESM_VERTEX.
+Tried with Blender 3.4.1 and NumPy 1.24. readers/esm_package.py reads, since Blender's importer splits vertices where the
+texture has borders.
 
-What becomes of the tissue. Blender counts time in frames: a frame at speed 1 is sqrt(0.001) s, since gravity is 0.001 of
-its value there. A point's mass has no effect below 0.01 kg, so all masses and forces are multiplied by one factor; that
-changes no motion.
-- mass: as it is, by the vertex group "mass".
-- spring constant: Blender's edge pulls with iks/length, where iks = pull/(1 - pull) times the fourth power of the mean of
-  its ends' weights in the vertex group "springs". Edges get the nearest that weights of vertices can say; the script says
-  how near, as the root of the mean square. Edges that are drawn and are no springs get the least of them.
-- fixed nodes: pinned, goal 1. Tethers: the goal's spring.
-
-What Blender's soft body cannot carry:
-- damping of the whole relative velocity: it damps along edges alone, by one number for all, at most 50. What is damped
-  more in the package moves more freely here; the script says by how much.
-- rest lengths other than the surface's own, biphasic springs, hinges, fluids and pressures, regions' viscosities.
-- the inside: of a filled body the surface alone is soft here, and bends freely.
-- fewer nodes under a finer surface: every vertex of the surface is a node here, of the mean of the tissue that carries it.
+A frame at speed 1 is sqrt(0.001) s, since gravity is 0.001 of its value there. A point's mass has no effect below 0.01 kg,
+so all masses and forces are multiplied by one factor; that changes no motion. Edges pull with iks/length, where iks =
+pull/(1 - pull) times the fourth power of the mean of their ends' weights. What this cannot carry is told in
+docs/simulators.md, under Blender.
 """
-import argparse
 import json
 import math
-import struct
 import sys
+from pathlib import Path
 
 import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent / "readers"))
+from esm_package import PackageError, need, read_package, shaped, spring_values  # noqa: E402: its folder is known only now
 
 FRAME = math.sqrt(0.001)  # s, at speed 1
 LEAST_MASS, MOST_PULL, MOST_DAMPING = 0.01, 0.999, 50.0
-FORMS = {5125: "I", 5126: "f"}  # by glTF's componentType
 
 
-class Package:
-    def __init__(self, path):
-        with open(path, "rb") as stream:
-            data = stream.read()
-        magic, _, _, length = struct.unpack_from("<4sIII", data)
-        if magic != b"glTF":
-            sys.exit(f"{path}: is no binary glTF file")
-        self.gltf = json.loads(data[20:20 + length])
-        self.binary = memoryview(data)[28 + length:]
-        try:
-            self.model = self.gltf["extensions"]["ESM_spring_mass"]
-        except KeyError:
-            sys.exit(f"{path}: is no model package")
-        primitives = [self.gltf["meshes"][part["mesh"]]["primitives"][part["primitive"]] for part in self.model["drawn"]]
-        if any("_ESM_VERTEX" not in primitive["attributes"] for primitive in primitives):
-            sys.exit(f"{path}: draws no surface, or was exported by an older program; export it again")
-        self.join(primitives)
+def at_vertices(package, of_nodes):
+    """What nodes hold, at the vertices of the surface; where several nodes carry one, the mean by their shares."""
+    if not package.binding:
+        return of_nodes[np.array(package.surface["vertexNodes"])]
+    firsts, shares = package.binding["starts"][:-1], np.array(package.binding["shares"])
+    values = of_nodes[package.binding["nodes"]]
+    # A share may be below 0; no vertex has more or less than its nodes.
+    least = np.minimum.reduceat(np.where(shares == 0, np.inf, values), firsts)
+    most = np.maximum.reduceat(np.where(shares == 0, -np.inf, values), firsts)
+    return np.clip(np.add.reduceat(shares * values, firsts), least, most)
 
-    def array(self, place, components=1):
-        accessor = self.gltf["accessors"][place]
-        view = self.gltf["bufferViews"][accessor["bufferView"]]
-        form = f"<{accessor['count'] * components}{FORMS[accessor['componentType']]}"
-        return struct.unpack_from(form, self.binary, view.get("byteOffset", 0) + accessor.get("byteOffset", 0))
 
-    def join(self, primitives):
-        """One vertex for each that the primitives draw, and triangles over these."""
-        count = self.model["surface"]["vertexCount"]
-        self.positions, self.faces = [(0, 0, 0)] * count, []
-        self.tissue = {name: [0.0] * count for name in ("MASS", "SPRING_CONSTANT", "FIXED")}
-        for primitive in primitives:
-            attributes = primitive["attributes"]
-            vertices = [int(number) for number in self.array(attributes["_ESM_VERTEX"])]
-            places = self.array(attributes["POSITION"], 3)
-            for name, values in self.tissue.items():
-                for vertex, value in zip(vertices, self.array(attributes["_ESM_" + name])):
-                    values[vertex] = value
-            for i, vertex in enumerate(vertices):
-                x, y, z = places[3 * i:3 * i + 3]
-                self.positions[vertex] = (x, -z, y)  # Blender's z points up, glTF's y
-            corners = [vertices[index] for index in self.array(primitive["indices"])]
-            self.faces += [corners[i:i + 3] for i in range(0, len(corners), 3)]
-        # Nodes may be fewer or more than vertices; together these weigh what the organ weighs.
-        weight = sum(self.array(self.model["nodes"]["mass"])) / sum(self.tissue["MASS"])
-        self.tissue["MASS"] = [weight * mass for mass in self.tissue["MASS"]]
+def shared_out(package, of_nodes):
+    """What all nodes have together, at the vertices, which may be more or fewer."""
+    of_vertices = at_vertices(package, of_nodes)
+    return of_vertices * (of_nodes.sum() / (of_vertices.sum() or 1.0))
 
-    def edge_constants(self, edges):
-        """N/m of edges between vertices: of their springs; where vertices are no nodes, the mean of both ends."""
-        of_vertices = self.tissue["SPRING_CONSTANT"]
-        if "binding" in self.model:
-            return [(of_vertices[a] + of_vertices[b]) / 2 for a, b in edges]
-        group, nodes = self.model["springs"], self.array(self.model["surface"]["vertexNodes"])
-        ends, constants = self.array(group["nodes"]), self.array(group["springConstant"])
-        springs = {frozenset(ends[2 * i:2 * i + 2]): constant for i, constant in enumerate(constants)}
-        return [springs.get(frozenset((nodes[a], nodes[b])), 0.0) for a, b in edges]
 
-    def tethers(self, key):
-        """Of each vertex; where vertices are no nodes, all tethers shared out by mass."""
-        group = self.model["tethers"]
-        of_nodes = [0.0] * self.model["nodes"]["count"]
-        if group["count"]:
-            for node, value in zip(self.array(group["nodes"]), self.array(group[key])):
-                of_nodes[node] += value
-        if "binding" not in self.model:
-            return [of_nodes[node] for node in self.array(self.model["surface"]["vertexNodes"])]
-        per_mass = sum(of_nodes) / sum(self.tissue["MASS"])
-        return [per_mass * mass for mass in self.tissue["MASS"]]
+def tethers(package, key):
+    return shared_out(package, np.bincount(package.tethers["nodes"], package.tethers[key], len(package.nodes["mass"])))
+
+
+def edge_constants(package, constants, edges):
+    """N/m of edges between vertices: of their springs; where vertices are no nodes, the mean of both ends."""
+    if package.binding:
+        return at_vertices(package, np.array(package.nodes["springConstant"]))[edges].mean(axis=1)
+    ends = shaped(package.springs["nodes"], 2)
+    springs = dict(zip(map(frozenset, ends.tolist()), constants))
+    pairs = np.array(package.surface["vertexNodes"])[edges].tolist()
+    return np.array([springs.get(frozenset(pair), 0.0) for pair in pairs])
 
 
 def weigh(thing, name, weights):
@@ -111,94 +66,80 @@ def weigh(thing, name, weights):
 
 
 def spring_weights(count, edges, stiffness):
-    """iks of the stiffest edge, and weights of vertices whose means to the fourth power come near all edges'.
+    """iks of the stiffest edge, weights of vertices whose means to the fourth power come near all edges', and how far off they are.
 
     Least squares of the fourth roots, by steps half the way to what a vertex' edges ask for while its neighbours stay.
     """
-    most = max(stiffness) or 1.0
-    roots = [(value / most) ** 0.25 for value in stiffness]
-    weights, degrees = [0.5] * count, [0] * count
-    for edge in edges:
-        for vertex in edge:
-            degrees[vertex] += 1
+    most = stiffness.max() or 1.0
+    wanted = stiffness / most
+    weights, degrees = np.full(count, 0.5), np.maximum(1, np.bincount(edges.ravel(), minlength=count))
     for _ in range(60):
-        asked = [0.0] * count
-        for (a, b), root in zip(edges, roots):
-            asked[a] += 2 * root - weights[b]
-            asked[b] += 2 * root - weights[a]
-        weights = [min(1.0, max(0.0, (weight + total / max(1, degree)) / 2))
-                   for weight, total, degree in zip(weights, asked, degrees)]
-    off = [((weights[a] + weights[b]) / 2) ** 4 - value / most for (a, b), value in zip(edges, stiffness)]
-    return most, weights, math.sqrt(sum(x * x for x in off) / sum((value / most) ** 2 for value in stiffness))
+        asked = 2 * wanted[:, None] ** 0.25 - weights[edges[:, ::-1]]
+        weights = np.clip((weights + np.bincount(edges.ravel(), asked.ravel(), count) / degrees) / 2, 0, 1)
+    off = weights[edges].mean(axis=1) ** 4 - wanted
+    return most, weights, math.sqrt((off**2).sum() / ((wanted**2).sum() or 1.0))
 
 
-def soften(thing, package):
+def soften(thing, package, edges):
     """Gives the object a soft body; how much of the tissue it could take comes back."""
-    mesh, tissue = thing.data, package.tissue
-    factor = LEAST_MASS / min(tissue["MASS"])
-    force = FRAME**2 * factor  # of a N, or of a N/m
-    places, edges = package.positions, [tuple(edge.vertices) for edge in mesh.edges]
-    stiffness = [force * constant * math.dist(places[a], places[b])
-                 for (a, b), constant in zip(edges, package.edge_constants(edges))]
+    constants, viscosities = spring_values(package)
+    mass, places = shared_out(package, np.array(package.nodes["mass"])), shaped(package.surface["restPosition"], 3)
+    factor = LEAST_MASS / mass.min()
+    lengths = np.linalg.norm(places[edges[:, 0]] - places[edges[:, 1]], axis=1)
+    stiffness = FRAME**2 * factor * edge_constants(package, constants, edges) * lengths
     body = thing.modifiers.new("Soft body", "SOFT_BODY").settings
-    masses = [factor * mass for mass in tissue["MASS"]]
-    body.mass = max(masses)
-    body.vertex_group_mass = weigh(thing, "mass", [mass / body.mass for mass in masses])
+    body.mass = factor * mass.max()
+    body.vertex_group_mass = weigh(thing, "mass", mass / mass.max())
     iks, weights, off = spring_weights(len(places), edges, stiffness)
-    body.use_edges = True
+    body.use_edges = body.use_goal = True
     body.pull = body.push = min(MOST_PULL, iks / (1 + iks))
     body.vertex_group_spring = weigh(thing, "springs", weights)
-    springs = package.model["springs"]
-    viscosity = sum(package.array(springs["viscosity"])) / springs["count"] if springs["count"] else 0.0
-    damping = 100 * FRAME * factor * viscosity
+    damping = 100 * FRAME * factor * np.mean(viscosities or [0.0])
     body.damping = min(MOST_DAMPING, damping)
     hold(thing, package, body, factor)
     body.friction = body.bend = 0.0
     fps = bpy.context.scene.render.fps / bpy.context.scene.render.fps_base
     body.speed = 1 / (fps * FRAME)
     body.step_min, body.step_max, body.error_threshold = 20, 30000, 0.001
-    return {"mass_factor": factor, "edges_off": off, "damping_kept": body.damping / damping if damping else 1.0,
-            "pull_kept": body.pull / (1 - body.pull) / iks if iks else 1.0}
+    return {"mass": mass.sum(), "mass_factor": factor, "edges_off": off, "damping_kept": body.damping / damping if damping else 1.0,
+            "pull_kept": body.pull / (1 - body.pull) / iks}
 
 
 def hold(thing, package, body, factor):
     """Fixed vertices and tethers are Blender's goal: its weight to the fourth power is what it holds with."""
-    springs = [FRAME**2 * factor * constant for constant in package.tethers("springConstant")]
-    shares = [spring / (1 + spring) for spring in springs]
-    body.use_goal = True
+    springs = FRAME**2 * factor * tethers(package, "springConstant")
+    shares = springs / (1 + springs)
     body.goal_min, body.goal_max, body.goal_default = 0.0, 1.0, 1.0
-    body.goal_spring = min(MOST_PULL, max(max(shares) / 0.99, 1e-6))
-    fixed = package.tissue["FIXED"]
-    goals = [1.0 if held == 1 else min(0.997, (share / body.goal_spring) ** 0.25)  # 1 would pin
-             for held, share in zip(fixed, shares)]
-    body.vertex_group_goal = weigh(thing, "goal", goals)
-    mean = sum(package.tethers("viscosity")) / len(goals)
-    body.goal_friction = min(MOST_DAMPING, 100 * FRAME * factor * mean)
+    body.goal_spring = min(MOST_PULL, max(shares.max() / 0.99, 1e-6))
+    is_fixed = np.bincount(package.fixedNodes["nodes"], minlength=len(package.nodes["mass"]))
+    goals = np.minimum(0.997, (shares / body.goal_spring) ** 0.25)  # 1 would pin
+    body.vertex_group_goal = weigh(thing, "goal", np.where(at_vertices(package, is_fixed) > 1 - 1e-5, 1.0, goals))
+    body.goal_friction = min(MOST_DAMPING, 100 * FRAME * factor * tethers(package, "viscosity").mean())
+
+
+def soft_body(package):
+    """A new object in the scene; what it could take of the tissue comes back. In Blender z points up, here y."""
+    places = [(x, -z, y) for x, y, z in shaped(package.surface["restPosition"], 3).tolist()]
+    mesh = bpy.data.meshes.new(package.name)
+    mesh.from_pydata(places, [], shaped(package.surface["triangles"], 3).tolist())
+    thing = bpy.data.objects.new(package.name, mesh)
+    bpy.context.scene.collection.objects.link(thing)
+    edges = np.array([tuple(edge.vertices) for edge in mesh.edges])
+    return {"vertices": len(places), "edges": len(edges), **soften(thing, package, edges)}
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="blender_soft_body.py")
-    parser.add_argument("package")
-    parser.add_argument("--frames", type=int, default=0, help="play so many, and print where the vertices are, as JSON")
-    parser.add_argument("--save", help="a .blend file to write")
-    arguments = parser.parse_args(sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else ["-h"])
-    package = Package(arguments.package)
-    mesh = bpy.data.meshes.new(package.model["name"])
-    mesh.from_pydata(package.positions, [], package.faces)
-    thing = bpy.data.objects.new(package.model["name"], mesh)
-    bpy.context.scene.collection.objects.link(thing)
-    report = soften(thing, package)
-    cache = thing.modifiers[0].point_cache
-    cache.frame_start, cache.frame_end = 1, max(250, 1 + arguments.frames)
-    for frame in range(1, 2 + arguments.frames):
-        bpy.context.scene.frame_set(frame)
-    report.update(vertices=len(mesh.vertices), edges=len(mesh.edges), mass=sum(package.tissue["MASS"]))
-    if arguments.frames:
-        now = thing.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices
-        report["positions"] = [(vertex.co.x, vertex.co.z, -vertex.co.y) for vertex in now]
-    print(json.dumps(report))
-    if arguments.save:
-        bpy.ops.wm.save_as_mainfile(filepath=arguments.save)
+    files = sys.argv[sys.argv.index("--") + 1:] if "--" in sys.argv else []
+    if len(files) not in (1, 2):
+        sys.exit(__doc__)
+    try:
+        package = read_package(files[0])
+        need(package.surface["triangles"], "has springs alone and no surface")
+    except (PackageError, OSError) as problem:
+        sys.exit(f"{files[0]}: {problem}")
+    print(json.dumps(soft_body(package)))
+    for file in files[1:]:
+        bpy.ops.wm.save_as_mainfile(filepath=file)
 
 
 main()
