@@ -87,9 +87,10 @@ template<typename Take> bool takeFreeName(const fs::path& file, std::string& tak
 
 std::string writingProblem(int reason) {
     const bool isFull = reason == ENOSPC || reason == EDQUOT || reason == EFBIG;
-    return std::string("cannot be written: ") + std::strerror(reason) +
-           (isFull ? "; free some space or choose another place"
-                   : "; choose a folder that can be written to");
+    const char* remedy = "; choose a folder that can be written to";
+    if (isFull) remedy = "; free some space or choose another place";
+    if (reason == ENAMETOOLONG) remedy = "; choose a shorter name";
+    return std::string("cannot be written: ") + std::strerror(reason) + remedy;
 }
 
 bool writeWhole(int descriptor, std::string_view data) {

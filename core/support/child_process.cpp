@@ -83,20 +83,28 @@ ChildProcess::ChildProcess(const ChildProgram& program)
     : m_id(startedProcess(program)), m_end(static_cast<int>(::syscall(SYS_pidfd_open, m_id, 0))) {}
 
 ChildProcess::~ChildProcess() {
+    endGroup();
+}
+
+/// The number of a process that has ended stays its own until it is waited for, so that no other group has
+/// it.
+void ChildProcess::endGroup() {
     if (m_hasEnded) return;
     ::kill(-m_id, SIGKILL);
-    while (::waitpid(m_id, nullptr, 0) < 0 && errno == EINTR) {
+    while (::waitpid(m_id, &m_status, 0) < 0 && errno == EINTR) {
     }
+    m_hasEnded = true;
 }
 
 bool ChildProcess::endsWithin(std::chrono::milliseconds moment) {
+    if (m_hasEnded) return true;
     pollfd end{m_end.number(), POLLIN, 0};
     ::poll(&end, 1, static_cast<int>(moment.count()));
-    int status = 0;
-    const pid_t ended = ::waitpid(m_id, &status, WNOHANG);
+    siginfo_t ended{};
+    const int result = ::waitid(P_PID, static_cast<id_t>(m_id), &ended, WEXITED | WNOHANG | WNOWAIT);
     // A program that ignores SIGCHLD never learns how its children ended; what they left behind must do.
-    m_hasEnded = ended == m_id || (ended < 0 && errno == ECHILD);
-    m_status = status;
+    const bool isUnknown = result < 0 && errno == ECHILD;
+    if (ended.si_pid == m_id || isUnknown) endGroup();
     return m_hasEnded;
 }
 

@@ -28,13 +28,15 @@ public:
     ChildProcess& operator=(const ChildProcess&) = delete;
     ~ChildProcess();
 
-    /// Waits a moment, or until it has ended. Without a descriptor of the process the moment is always
-    /// waited.
+    /// Waits until the program has ended, at most so long; whether it has. What is left of its group ends
+    /// then. Without a descriptor of the process all of the time is waited.
     bool endsWithin(std::chrono::milliseconds moment);
 
     int status() const { return m_status; } ///< as waitpid() gives it
 
 private:
+    void endGroup();
+
     pid_t m_id;
     Descriptor m_end;
     int m_status = 0;

@@ -6,8 +6,8 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace esm {
 
@@ -20,7 +20,21 @@ fs::path folderName(const fs::path& target) {
     return target.has_filename() ? target : target.parent_path();
 }
 
-void checkFree(const fs::path& target) {
+/// Of a name that nothing has yet, as the process makes new folders. mkdtemp() would make it for the user
+/// alone, and what others may do can be asked for only by changing it for all threads.
+fs::path newFolderBeside(const fs::path& target) {
+    for (int attempt = 0;; ++attempt) {
+        const std::string name =
+            target.string() + '.' + std::to_string(::getpid()) + '-' + std::to_string(attempt);
+        if (::mkdir(name.c_str(), 0777) == 0) return name;
+        if (errno != EEXIST) throw FileError(target, writingProblem(errno));
+    }
+}
+
+} // namespace
+
+void requireNewFolder(const fs::path& name) {
+    const fs::path target = folderName(name);
     std::error_code error;
     if (target.empty()) throw FileError(target, "is no folder's name; name a folder");
     const fs::file_status status = fs::symlink_status(target, error);
@@ -30,21 +44,9 @@ void checkFree(const fs::path& target) {
         throw FileError(target, "is there already, and not empty; name a new folder");
 }
 
-/// As the process makes new folders; mkdtemp() makes them for their owner alone.
-void giveUsualPermissions(const fs::path& folder) {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    ::chmod(folder.c_str(), 0777 & ~mask);
-}
-
-} // namespace
-
 NewFolder::NewFolder(const fs::path& target) : m_target(folderName(target)) {
-    checkFree(m_target);
-    std::string name = m_target.string() + ".XXXXXX";
-    if (::mkdtemp(name.data()) == nullptr) throw FileError(m_target, writingProblem(errno));
-    m_unfinished = name;
-    giveUsualPermissions(m_unfinished);
+    requireNewFolder(m_target);
+    m_unfinished = newFolderBeside(m_target);
 }
 
 NewFolder::~NewFolder() {
@@ -57,7 +59,7 @@ void NewFolder::commit() {
     syncFolder(m_unfinished);
     if (::rename(m_unfinished.c_str(), m_target.c_str()) != 0) {
         const int reason = errno;
-        checkFree(m_target);
+        requireNewFolder(m_target);
         throw FileError(m_target, writingProblem(reason));
     }
     m_isCommitted = true;

@@ -4,6 +4,9 @@
 
 namespace esm {
 
+/// @throws FileError when there is a file of that name, or a folder that is not empty
+void requireNewFolder(const std::filesystem::path& name);
+
 /// A folder of files that comes to be whole or not at all. It grows beside its target under another name,
 /// which commit() changes; without that it goes away with the object. A folder that holds something is never
 /// touched.

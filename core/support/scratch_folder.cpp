@@ -14,7 +14,8 @@ ScratchFolder::ScratchFolder() {
     std::error_code error;
     const fs::path among = fs::temp_directory_path(error);
     if (error)
-        throw FileError(among, "is no folder for temporary files; name one in the environment's TMPDIR");
+        throw FileError("the folder for temporary files",
+                        "is none; name one that can be written to in the environment's TMPDIR");
     std::string name = (among / "esm-XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) throw FileError(among, writingProblem(errno));
     m_path = name;

@@ -16,6 +16,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
+/// Whether a process is there; one that has ended may wait for its parent to hear of it.
+bool isRunning(pid_t process) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
+    std::string id, name, state;
+    return status >> id >> name >> state && state != "Z";
+}
+
 TEST(ChildProcess, TellsHowItEnded) {
     ChildProcess process({.words = {"/bin/sh", "-c", "exit 7"}});
     while (!process.endsWithin(20ms)) {
@@ -33,22 +40,32 @@ TEST(ChildProcess, SaysWhyItCannotBeStarted) {
     }
 }
 
+TEST(ChildProcess, EndsWhatItLeftBehind) {
+    const TemporaryFolder folder;
+    const auto written = folder / "child";
+    ChildProcess process({.words = {"/bin/sh", "-c", "sleep infinity & echo $! > " + written.string()}});
+    while (!process.endsWithin(20ms)) {
+    }
+    EXPECT_EQ(WEXITSTATUS(process.status()), 0);
+    EXPECT_TRUE(process.endsWithin(0ms));
+    EXPECT_TRUE(WIFEXITED(process.status()));
+    pid_t child = 0;
+    ASSERT_TRUE(std::ifstream(written) >> child);
+    while (isRunning(child)) // its new parent hears of it soon
+        std::this_thread::yield();
+}
+
 TEST(ChildProcess, EndsWithItsOwnerAndWithAllThatItStarted) {
     const TemporaryFolder folder;
     const auto written = folder / "child";
     pid_t child = 0;
     {
         ChildProcess process(
-            {.words = {"/bin/sh", "-c", "sleep 1000 & echo $! > " + written.string() + "; wait"}});
+            {.words = {"/bin/sh", "-c", "sleep infinity & echo $! > " + written.string() + "; wait"}});
         while (!(std::ifstream(written) >> child))
             ASSERT_FALSE(process.endsWithin(20ms));
     }
-    const auto isRunning = [&] {
-        std::ifstream status("/proc/" + std::to_string(child) + "/stat");
-        std::string id, name, state;
-        return status >> id >> name >> state && state != "Z";
-    };
-    while (isRunning()) // its new parent hears of it soon
+    while (isRunning(child)) // its new parent hears of it soon
         std::this_thread::yield();
 }
 
