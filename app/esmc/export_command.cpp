@@ -7,6 +7,8 @@
 #include "core/model/tissue_digest.h"
 #include "core/offscreen/preview_picture.h"
 
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -63,7 +65,7 @@ void checkEngine(const ExportOptions& options) {
         if (isGiven(options, name) && !exporter.isStepped)
             throw UsageError(std::string(name) + ": a " + exporter.ending +
                              " does not say how the organ is stepped");
-    if (isGiven(options, sofaOption) && exporter.name != "sofa")
+    if (isGiven(options, sofaOption) && !exporter.hasReleases)
         throw UsageError(std::string(sofaOption) + ": goes with --to sofa");
 }
 
@@ -98,20 +100,25 @@ void addDifferences(Report& report, const Differences& differences) {
         report.json["differences"].push_back({{"what", what}, {"instead", instead}});
         report.text.push_back("will differ: " + what + "; " + instead);
     }
+    if (!differences.refusal.empty()) {
+        report.json["refusal"] = differences.refusal;
+        report.text.push_back("cannot be handed over: " + differences.refusal);
+    }
     if (differences.scheme.empty()) return;
+    const auto largest =
+        std::isfinite(differences.largestStep) ? std::optional(differences.largestStep) : std::nullopt;
     report.json["scheme"] = differences.scheme;
-    report.json["dt"] = inJson(differences.timeStep);
-    report.json["largest_step"] = inJson(differences.largestStep);
-    if (!differences.timeStep) return; // what is not handed over is not stepped
-    const std::string largest =
-        differences.largestStep ? inText(*differences.largestStep) + " s" : "no limit";
+    report.json["dt"] = differences.timeStep;
+    report.json["largest_step"] = inJson(largest);
     report.text.push_back("stepped by " + differences.scheme + ", in steps of " +
-                          inText(*differences.timeStep) + " s; largest stable step: " + largest);
+                          inText(differences.timeStep) +
+                          " s; largest stable step: " + (largest ? inText(*largest) + " s" : "no limit"));
 }
 
 Report runExport(const ExportOptions& options, Context& context) {
     checkUse(options);
     context.subject = options.project;
+    requireFree(options.output, *options.exporter);
     const Project project = openedProject(options.project, context);
     ProgressParts parts(progressOf(context, "exporting"));
     const Handover handover = handoverFor(options.output, project, parts.next(0.2));
@@ -124,6 +131,7 @@ Report runExport(const ExportOptions& options, Context& context) {
                              "tradeoff, and export again"});
     if (!options.isDryRun) {
         means.progress = parts.rest();
+        if (!differences.scheme.empty()) means.engine.timeStep = differences.timeStep;
         exportHandover(handover, *options.exporter, options.output, means);
         addFiles(report, options.output);
     }

@@ -37,7 +37,7 @@ class ExportTest(Case):
         self.done("inside", liver, "--fill", "cubic", "--spacing", "0.006", "-o", liver)
         model = self.file("organ.mjcf")
         told = command("export", liver, "--to", "mjcf", "-o", model, "--dry-run").stdout
-        self.assertIn("it is not handed over", told)
+        self.assertIn("cannot be handed over", told)
         self.assertNotIn("stable step", told)
         self.fails(1, "export", liver, "--to", "mjcf", "-o", model, naming=model)
         self.assertFalse(model.exists())
@@ -77,8 +77,10 @@ class ExportTest(Case):
         message = self.fails(1, "export", project, "--to", "mjcf", "-o", folder, naming=folder)
         self.assertIn("--detail 2500", message)
         self.assertFalse(folder.exists())
-        told = self.done("export", project, "--to", "mjcf", "-o", folder, "--dry-run")
-        self.assertEqual(told["differences"][0]["instead"], "it is not handed over")
+        for step in ([], ["--dt", "0.001"]):
+            told = self.done("export", project, "--to", "mjcf", "-o", folder, "--dry-run", *step)
+            self.assertIn("2500", told["refusal"])
+            self.assertNotIn("dt", told)
 
     def test_what_is_there_is_never_touched(self):
         folder = self.file("organ.sofa")

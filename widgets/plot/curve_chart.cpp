@@ -62,8 +62,9 @@ void CurveChart::setCurves(std::vector<ChartCurve> curves) {
         delete line; // which detaches it
     m_lines.clear();
     m_curves = std::move(curves);
+    // Dashes lie over the full line of the first curve, which shows between them where both agree.
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_lines.push_back(addPressLine(*this, 50 - static_cast<double>(i)));
+        m_lines.push_back(addPressLine(*this, 50 + static_cast<double>(i)));
         m_lines.back()->setSamples(m_curves[i].points);
     }
     followTheme();

@@ -6,6 +6,7 @@
 #include "app/editor/dialogs/sentence.h"
 #include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "core/exchange/simulators/sofa/sofa_run.h"
+#include "core/exchange/simulators/sofa/sofa_trial.h"
 #include "core/model/gentle_pull.h"
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/control_keys.h"
@@ -14,7 +15,7 @@
 #include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
 
-#include <QPushButton>
+#include <cmath>
 
 namespace esm {
 
@@ -31,21 +32,25 @@ NumberFormat stepFormat() {
     return format;
 }
 
-QString textOf(const std::vector<Difference>& differences) {
-    if (differences.empty()) return QObject::tr("Nothing that the program knows of.");
+QString textOf(const Differences& differences) {
+    if (!differences.refusal.empty())
+        return QObject::tr("It cannot be handed over. %1.")
+            .arg(sentence(differences.refusal))
+            .toHtmlEscaped();
+    if (differences.list.empty()) return QObject::tr("Nothing that the program knows of.");
     QString text;
-    for (const auto& [what, instead] : differences)
+    for (const auto& [what, instead] : differences.list)
         text += QStringLiteral("<li>%1:<br/>%2.</li>")
                     .arg(sentence(what).toHtmlEscaped(), QString::fromStdString(instead).toHtmlEscaped());
     return QStringLiteral("<ul style='margin-left: 14px; -qt-list-indent: 0'>%1</ul>").arg(text);
 }
 
 QString textOfSteps(const Differences& differences) {
-    if (!differences.timeStep) return {}; // what is not handed over is not stepped
+    if (differences.scheme.empty()) return {};
     const QString limit =
-        differences.largestStep
+        std::isfinite(differences.largestStep)
             ? QObject::tr("Steps longer than %1 ms are not stable.")
-                  .arg(numberText(1000 * *differences.largestStep))
+                  .arg(numberText(1000 * differences.largestStep))
             : QObject::tr("Steps of any length are stable; shorter ones are nearer to the motion here.");
     return QObject::tr("Stepped by %1. %2").arg(QString::fromStdString(differences.scheme), limit);
 }
@@ -90,7 +95,7 @@ void ExportDialog::addSettings(QVBoxLayout* column) {
     form->setHorizontalSpacing(16);
     form->setVerticalSpacing(8);
     column->addLayout(form);
-    if (m_exporter.name == "sofa") addRelease(form);
+    if (m_exporter.hasReleases) addRelease(form);
     addDamping(form);
     addTimeStep(form);
 }
@@ -104,7 +109,7 @@ void ExportDialog::addRelease(QFormLayout* form) {
     guardFromWheel(*release);
     connect(release, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, release] {
         m_settings.sofaVersion = static_cast<SofaVersion>(release->currentData().toInt());
-        look();
+        lookAgain();
     });
     addField(form, tr("&Release"), release, tr("The release that is to load the folder: names differ"));
 }
@@ -118,7 +123,7 @@ void ExportDialog::addDamping(QFormLayout* form) {
     connect(damping, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, damping] {
         m_settings.damping = static_cast<Damping>(damping->currentData().toInt());
         m_settings.timeStep = std::nullopt;
-        look();
+        lookAgain();
     });
     addField(form, tr("Viscosity &damps"), damping,
              tr("Along the springs alone, as most engines know it, tissue gives way farther; it then needs "
@@ -130,37 +135,42 @@ void ExportDialog::addTimeStep(QFormLayout* form) {
     m_timeStep->setObjectName(QStringLiteral("exportTimeStep"));
     connect(m_timeStep, &NumberField::valueEdited, this, [this](double step) {
         m_settings.timeStep = step;
-        look();
+        lookAgain();
     });
     addField(form, tr("Time &step"), m_timeStep, tr("The step that is written; it can be changed there"));
 }
 
 void ExportDialog::addAnswer(QVBoxLayout* column) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    auto* accepting = new QPushButton(tr("&Export"), this);
-    accepting->setObjectName(QStringLiteral("exportAccept"));
-    accepting->setProperty("primary", true);
-    accepting->setDefault(true);
-    buttons->addButton(accepting, QDialogButtonBox::AcceptRole);
+    m_accepting = new QPushButton(tr("&Export"), this);
+    m_accepting->setObjectName(QStringLiteral("exportAccept"));
+    m_accepting->setProperty("primary", true);
+    m_accepting->setDefault(true);
+    buttons->addButton(m_accepting, QDialogButtonBox::AcceptRole);
     buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
-    if (m_exporter.name == "sofa") addTrial(*buttons);
+    if (m_exporter.canBeTried) addTrial(*buttons);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 void ExportDialog::addTrial(QDialogButtonBox& buttons) {
-    const std::optional<std::filesystem::path> program = installedSofa();
-    if (!program) return;
     auto* trying = new QPushButton(tr("&Try it in SOFA…"), this);
     trying->setObjectName(QStringLiteral("exportTrial"));
     trying->setAutoDefault(false);
-    enable(trying, movesTissue(m_tried),
-           tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other: "
-              "the recorded pull, or else the project's scene"),
+    buttons.addButton(trying, QDialogButtonBox::ActionRole);
+    const QString meaning =
+        tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other: "
+           "the recorded pull, or else the project's scene");
+    const std::optional<std::filesystem::path> program = installedSofa();
+    if (!program)
+        return enable(
+            trying, false, meaning,
+            tr("SOFA was not found: put its program runSofa on the PATH, or name it with its folder "
+               "in the environment's ESM_RUNSOFA"));
+    enable(trying, movesTissue(sceneInSofa(m_tried)), meaning,
            tr("Nothing moves the organ: record a poke in the workspace Measure and pull at it, or give the "
               "project a scene with a force or a led node"));
-    buttons.addButton(trying, QDialogButtonBox::ActionRole);
     connect(trying, &QPushButton::clicked, this, [this, program] { tryIn(*program); });
 }
 
@@ -172,33 +182,51 @@ void ExportDialog::tryIn(const std::filesystem::path& program) {
             [&](const Progress& progress) {
                 Project project = m_handover.project;
                 project.scene = m_tried;
-                ProgressParts parts(progress);
-                const Handover handover = handoverOf(project, parts.next(0.02));
-                HandoverMeans means;
-                means.progress = parts.rest();
-                means.engine = m_settings;
-                return tryInSofa(program, handover, means);
+                return tryInSofa(program, std::move(project), meansNow(progress));
             },
             Cancelling::Offered);
         SofaTrialDialog(trial, this).exec();
     });
 }
 
+HandoverMeans ExportDialog::meansNow(const Progress& progress) const {
+    HandoverMeans means;
+    means.progress = progress;
+    means.engine = m_settings;
+    return means;
+}
+
 /// The largest step of a large organ takes a while.
 void ExportDialog::look() {
-    const Differences differences =
-        computeLong(isVisible() ? this : parentWidget(), tr("Looking for what will differ"),
-                    [this](const Progress& progress) {
-                        HandoverMeans means;
-                        means.progress = progress;
-                        means.engine = m_settings;
-                        return differencesOf(m_handover, m_exporter, means);
-                    });
-    m_differences->setText(textOf(differences.list));
+    show(computeLong(
+        isVisible() ? this : parentWidget(), tr("Looking for what will differ"),
+        [this](const Progress& progress) {
+            return differencesOf(m_handover, m_exporter, meansNow(progress));
+        },
+        Cancelling::Offered));
+}
+
+/// After a change. Who gives that up, gives the export up.
+void ExportDialog::lookAgain() {
+    if (!attempt(this, tr("What will differ was not found"), [this] { look(); })) reject();
+}
+
+void ExportDialog::show(const Differences& differences) {
+    m_differences->setText(textOf(differences));
     m_steps->setText(textOfSteps(differences));
     m_steps->setVisible(!m_steps->text().isEmpty());
-    if (m_timeStep && m_timeStep->refusal().isEmpty()) m_timeStep->setValue(differences.timeStep);
+    enable(m_accepting, differences.refusal.empty(), QString(), tr("The organ cannot be handed over"));
+    m_toldStep.reset();
+    if (!differences.scheme.empty()) m_toldStep = differences.timeStep;
+    if (m_timeStep && m_timeStep->refusal().isEmpty()) m_timeStep->setValue(m_toldStep);
     adjustSize();
+}
+
+/// With the step that is told, which takes long to find.
+EngineSettings ExportDialog::settings() const {
+    EngineSettings settings = m_settings;
+    if (!settings.timeStep) settings.timeStep = m_toldStep;
+    return settings;
 }
 
 void ExportDialog::accept() {

@@ -8,6 +8,7 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace esm {
@@ -21,7 +22,7 @@ public:
     /// @param tried what can be tried in the program where that is installed
     ExportDialog(const Exporter& exporter, const Handover& handover, Scene tried, QWidget* parent = nullptr);
 
-    const EngineSettings& settings() const { return m_settings; }
+    EngineSettings settings() const; ///< as chosen
     /// Not while a number in it is refused.
     void accept() override;
 
@@ -33,14 +34,19 @@ private:
     void addAnswer(QVBoxLayout* column);
     void addTrial(QDialogButtonBox& buttons);
     void tryIn(const std::filesystem::path& program);
+    HandoverMeans meansNow(const Progress& progress) const;
     void look();
+    void lookAgain();
+    void show(const Differences& differences);
 
     const Exporter& m_exporter;
     const Handover& m_handover;
     const Scene m_tried;
     EngineSettings m_settings;
+    std::optional<double> m_toldStep;  ///< s
     NumberField* m_timeStep = nullptr; ///< null where no engine steps what is written
     QLabel *m_differences, *m_steps;
+    QPushButton* m_accepting = nullptr;
 };
 
 } // namespace esm

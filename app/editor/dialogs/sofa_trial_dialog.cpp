@@ -25,7 +25,7 @@ ChartCurve wayOverTime(const QString& name, const SofaTrial& trial, const std::v
 }
 
 QString textOfError(const SofaTrial& trial) {
-    return QObject::tr("In SOFA the motion is off by %1 of itself, over all nodes at %2 times.")
+    return QObject::tr("The motion in SOFA differs from that here by %1, over all nodes at %2 times.")
         .arg(QString::fromStdString(percentText(trial.error)))
         .arg(trial.times.size() - 1);
 }

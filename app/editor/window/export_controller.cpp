@@ -9,7 +9,6 @@
 #include "app/editor/document/file_memory.h"
 #include "app/editor/workers/poke_test.h"
 #include "app/editor/workers/pulled_scene.h"
-#include "core/exchange/simulators/sofa/sofa_trial.h"
 #include "core/offscreen/preview_picture.h"
 
 #include <algorithm>
@@ -58,18 +57,19 @@ void ExportController::choose() {
     exportTo(file->path, kinds.at(static_cast<std::size_t>(std::max(file->filter, 0))).pictures);
 }
 
-/// The recorded pull, or else the project's own scene as SOFA has it.
+/// The recorded pull, or else the project's own scene.
 Scene ExportController::triedScene(const Handover& handover) const {
     if (m_poke && m_poke->poke())
         if (auto pulled = sceneOfPull(*m_poke->poke(), handover.project, handover.tissue))
             return std::move(*pulled);
-    return sceneInSofa(handover.project.scene);
+    return handover.project.scene;
 }
 
 std::optional<EngineSettings> ExportController::askedSettings(const Handover& handover,
                                                               const Exporter& exporter) {
     if (!exporter.isStepped && differencesOf(handover, exporter).list.empty()) return EngineSettings{};
-    ExportDialog dialog(exporter, handover, triedScene(handover), &m_window);
+    const Scene tried = exporter.canBeTried ? triedScene(handover) : Scene{};
+    ExportDialog dialog(exporter, handover, tried, &m_window);
     if (ask(m_window, [&] { return dialog.exec(); }) != QDialog::Accepted) return std::nullopt;
     return dialog.settings();
 }
@@ -77,6 +77,7 @@ std::optional<EngineSettings> ExportController::askedSettings(const Handover& ha
 void ExportController::exportTo(const std::filesystem::path& file, const PictureEncoding& pictures) {
     attempt(&m_window, tr("The organ was not exported"), [&] {
         const Exporter& exporter = exporterFor(file);
+        requireFree(file, exporter);
         const Project project = m_document.project();
         const Handover handover = computeLong(
             &m_window, tr("Looking at the organ"),

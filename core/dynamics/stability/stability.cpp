@@ -103,8 +103,8 @@ std::optional<ChosenStep> givenStep(const SimulationSettings& settings) {
 } // namespace
 
 std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
-                                   const StabilitySearch& search) {
-    TissueSpectrum tissue(makeSpringSystem(model), Damping::Isotropic, search);
+                                   const StabilitySearch& search, Damping damping) {
+    TissueSpectrum tissue(makeSpringSystem(model), damping, search);
     return schemeOf(integrator).largestStable(tissue, noStepLimit);
 }
 

@@ -13,11 +13,11 @@ struct SpringSystem;
 inline constexpr double longestStep = 0.01;  ///< s; what is chosen stays at or below this
 inline constexpr double shortestStep = 1e-9; ///< s; and at or above this
 
-/// Largest stable step, s, of an integrator (not `Auto`) with isotropic damping, without a safety factor;
-/// empty where there is no stable step, infinite where there is no limit.
+/// Largest stable step, s, of an integrator (not `Auto`) that takes the damping, without a safety factor;
+/// empty where there is no stable step, as `euler` always has, infinite where there is no limit.
 /// @throws InvalidModel, Cancelled
 std::optional<double> criticalStep(const TissueModel& model, Integrator integrator,
-                                   const StabilitySearch& search = {});
+                                   const StabilitySearch& search = {}, Damping damping = Damping::Isotropic);
 
 using CriticalSteps = std::map<Integrator, std::optional<double>>;
 /// Those of every integrator that takes the damping. @throws InvalidModel, Cancelled

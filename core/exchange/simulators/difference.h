@@ -16,10 +16,11 @@ struct Difference {
 
 /// What will differ after handing an organ over.
 struct Differences {
-    std::vector<Difference> list;
-    std::string scheme; ///< by which the target steps the organ; empty where that is not said to it
-    std::optional<double> timeStep;    ///< s, that it is handed over with; none: by no engine, or not at all
-    std::optional<double> largestStep; ///< s, predicted for that scheme; none: it has no limit, or no scheme
+    std::vector<Difference> list = {};
+    std::string scheme = {};  ///< by which the target steps the organ; empty where that is not said to it
+    double timeStep = 0;      ///< s, that it is handed over with
+    double largestStep = 0;   ///< s, predicted for that scheme; infinite where it has no limit
+    std::string refusal = {}; ///< why it cannot be handed over; empty where it can, else all that there is
 };
 
 } // namespace esm

@@ -9,6 +9,7 @@
 #include "core/support/errors.h"
 #include "core/support/joined.h"
 #include "core/support/letters.h"
+#include "core/support/new_folder.h"
 
 #include <algorithm>
 
@@ -38,6 +39,8 @@ const std::vector<Exporter>& exporters() {
          .holdsPictures = true,
          .isFolder = true,
          .isStepped = true,
+         .hasReleases = true,
+         .canBeTried = true,
          .differences = sofaDifferences},
         {.name = "iv",
          .ending = ".iv",
@@ -93,6 +96,10 @@ template<class Work> auto forFile(const std::filesystem::path& file, Work&& work
 
 } // namespace
 
+void requireFree(const std::filesystem::path& file, const Exporter& exporter) {
+    if (exporter.isFolder) requireNewFolder(file);
+}
+
 Handover handoverFor(const std::filesystem::path& file, const Project& project, const Progress& progress) {
     return forFile(file, [&] { return handoverOf(project, progress); });
 }
@@ -120,9 +127,7 @@ void exportProject(const Project& project, const Exporter& exporter, const std::
     ProgressParts parts(means.progress);
     const bool packs = !project.atlas && !project.layers.empty();
     const Handover handover = handoverFor(file, project, parts.next(packs ? 0.3 : 0.02));
-    HandoverMeans rest = means;
-    rest.progress = parts.rest();
-    exportHandover(handover, exporter, file, rest);
+    exportHandover(handover, exporter, file, withProgress(means, parts.rest()));
 }
 
 } // namespace esm

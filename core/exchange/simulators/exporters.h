@@ -24,6 +24,8 @@ struct Exporter {
     bool holdsAuthorship = false; ///< title, author, date and licence
     bool isFolder = false;        ///< of several files; there must be none of its name yet, or an empty one
     bool isStepped = false;       ///< says how to step the organ, by `HandoverMeans::engine`
+    bool hasReleases = false;     ///< of SOFA, which load other files: `EngineSettings::sofaVersion`
+    bool canBeTried = false;      ///< by `tryInSofa()`, where SOFA is installed
     /// What of the organ will differ in the program that it is written for. Empty: nothing. @throws Cancelled
     std::function<Differences(const Handover& handover, const HandoverMeans& means)> differences = {};
     std::string otherName = {}; ///< on the command line as well; empty without
@@ -34,6 +36,10 @@ const std::vector<Exporter>& exporters();
 /// The one whose ending a file has, in letters of any size; the first there is where it has none at all.
 /// @throws FileError for another ending
 const Exporter& exporterFor(const std::filesystem::path& file);
+
+/// @throws FileError where a folder stands at the file's place that is not empty, or a file where a folder is
+/// to be: for who asks before long work
+void requireFree(const std::filesystem::path& file, const Exporter& exporter);
 
 /// What a project comes to, for a file that is to be written. @throws FileError of that file for a project
 /// with problems, Cancelled

@@ -15,4 +15,9 @@ Handover handoverOf(const Project& project, const Progress& progress) {
     return handover;
 }
 
+HandoverMeans withProgress(HandoverMeans means, Progress progress) {
+    means.progress = std::move(progress);
+    return means;
+}
+
 } // namespace esm

@@ -39,4 +39,7 @@ struct HandoverMeans {
     Authorship authorship = {}; ///< as the user says it
 };
 
+/// The same means for a part of the work.
+HandoverMeans withProgress(HandoverMeans means, Progress progress);
+
 } // namespace esm

@@ -36,8 +36,7 @@ void writeObjFolder(const Handover& handover, const std::filesystem::path& folde
     ProgressParts parts(means.progress);
     NewFolder written(folder);
     writeTables(handover, written.unfinished(), parts.next(handover.project.atlas ? 0.2 : 0.7));
-    HandoverMeans rest = means;
-    rest.progress = parts.nextOfRest(0.95);
+    const HandoverMeans rest = withProgress(means, parts.nextOfRest(0.95));
     if (handover.project.mesh->triangles.empty())
         writeFileAtomically(written.unfinished() / "network.obj", networkObj(*handover.tissue.network));
     else

@@ -112,9 +112,7 @@ void writeObjSurface(const Project& project, const std::filesystem::path& folder
     ProgressParts parts(means.progress);
     writeFileAtomically(folder / "surface.obj", objText(project, parts.next(0.2)));
     writeFileAtomically(folder / "surface.mtl", mtlText(project, means.pictures.format));
-    HandoverMeans rest = means;
-    rest.progress = parts.rest();
-    writeTexturePages(project, folder, rest);
+    writeTexturePages(project, folder, withProgress(means, parts.rest()));
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@ namespace esm {
 
 namespace {
 
+/// Control characters, which XML does not hold, become spaces.
 std::string escapedAttribute(const std::string& value) {
     std::string text;
     for (const char letter : value) {
@@ -15,6 +16,8 @@ std::string escapedAttribute(const std::string& value) {
             text += "&lt;";
         else if (letter == '"')
             text += "&quot;";
+        else if (static_cast<unsigned char>(letter) < ' ')
+            text += ' ';
         else
             text += letter;
     }
@@ -55,10 +58,6 @@ void XmlText::close() {
 void XmlText::add(const std::string& element, const XmlAttributes& attributes) {
     begin(element, attributes);
     m_text += "/>\n";
-}
-
-void XmlText::comment(const std::string& words) {
-    m_text += std::string(2 * m_open.size(), ' ') + "<!-- " + words + " -->\n";
 }
 
 std::string spaced(const std::vector<double>& numbers) {

@@ -20,7 +20,6 @@ public:
     void open(const std::string& element, const XmlAttributes& attributes);
     void close(); ///< the element that was opened last
     void add(const std::string& element, const XmlAttributes& attributes = {});
-    void comment(const std::string& words); ///< without "--", which XML does not allow there
 
     const std::string& text() const { return m_text; }
 

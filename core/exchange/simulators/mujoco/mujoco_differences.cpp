@@ -1,4 +1,4 @@
-#include "core/dynamics/spectrum/stability_search.h"
+#include "core/exchange/simulators/curved_hinges.h"
 #include "core/exchange/simulators/look_differences.h"
 #include "core/exchange/simulators/mujoco/mujoco_folder.h"
 #include "core/exchange/simulators/mujoco/mujoco_subject.h"
@@ -29,24 +29,13 @@ bool hasSpringInOnePlace(const SpringSystem& system) {
     });
 }
 
-/// More than rounding bends it.
-bool isCurvedAtRest(const SpringSystem& system, const SpringSystem::HingeElement& hinge) {
-    constexpr double rounding = 1e-9;
-    const std::vector<Eigen::Vector3d>& places = system.network->restPositions;
-    const double edge = (places[hinge.nodes[0]] - places[hinge.nodes[1]]).norm();
-    return std::abs(hinge.restCurvature) * edge > rounding;
-}
-
 void addMujocoTissue(const SpringSystem& system, MujocoDifferences& list) {
     const auto isBiphasic = [](const auto& spring) { return !spring.secondPhase.isLinear(); };
     if (std::any_of(system.springs.begin(), system.springs.end(), isBiphasic))
         list.push_back({"MuJoCo has one constant for a spring, however far it is stretched",
                         "a second spring beside each, slack up to the strain, makes it exact; such a model "
                         "needs MuJoCo 2.3.1 or later"});
-    const auto isCurved = [&](const SpringSystem::HingeElement& hinge) {
-        return isCurvedAtRest(system, hinge);
-    };
-    if (std::any_of(system.hinges.begin(), system.hinges.end(), isCurved))
+    if (isCurvedAtRest(system))
         list.push_back(
             {"MuJoCo has no hinges that are curved at rest",
              "the wall's bending is that of weights which also resist being turned, by as much as it "
@@ -98,20 +87,17 @@ void addMujocoStep(const MujocoSubject& subject, const Differences& differences,
                             secondsText(step.largestPlain),
                         "joints have armature for steps of " + secondsText(step.timeStep) +
                             ", by which slow motion comes later, " + lagText(step.lag)});
-    if (differences.largestStep && step.timeStep > *differences.largestStep)
+    if (step.timeStep > differences.largestStep)
         list.push_back({"MuJoCo's steps of " + secondsText(step.timeStep),
                         "they will blow up: the largest stable step is shorter"});
 }
 
 Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
     ProgressParts parts(means.progress);
-    HandoverMeans part = means;
-    part.progress = parts.next(0.5);
     const SpringSystem system = makeSpringSystem(handover.tissue);
-    const MujocoSubject subject = mujocoSubject(handover, system, part);
-    Differences differences{{}, mujocoScheme, subject.step.timeStep, std::nullopt};
-    const double largest = largestStepOf(subject, parts.rest());
-    if (std::isfinite(largest)) differences.largestStep = largest;
+    const MujocoSubject subject = mujocoSubject(handover, system, withProgress(means, parts.next(0.5)));
+    Differences differences{
+        {}, mujocoScheme, subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
     addMujocoTissue(system, differences.list);
     addMujocoStep(subject, differences, differences.list);
     addMujocoScene(handover.project.scene, differences.list);
@@ -125,7 +111,7 @@ Differences mujocoDifferences(const Handover& handover, const HandoverMeans& mea
     try {
         return toldOfMujoco(handover, means);
     } catch (const InvalidModel& error) {
-        return {{{error.what(), "it is not handed over"}}, mujocoScheme, means.engine.timeStep, std::nullopt};
+        return {.refusal = error.what()};
     }
 }
 

@@ -9,16 +9,13 @@ namespace esm {
 
 void writeMujoco(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means) {
     ProgressParts parts(means.progress);
-    HandoverMeans part = means;
-    part.progress = parts.next(0.2);
-    const SpringSystem system = makeSpringSystem(handover.tissue);
-    const MujocoSubject subject = mujocoSubject(handover, system, part);
     NewFolder written(folder);
+    const SpringSystem system = makeSpringSystem(handover.tissue);
+    const MujocoSubject subject = mujocoSubject(handover, system, withProgress(means, parts.next(0.2)));
     const std::string text = mujocoModelText(subject);
     reportProgress(parts.next(0.2), 1);
     writeFileAtomically(written.unfinished() / "organ.xml", text);
-    part.progress = parts.next(0.5);
-    writeTexturePages(handover.project, written.unfinished(), part);
+    writeTexturePages(handover.project, written.unfinished(), withProgress(means, parts.next(0.5)));
     reportProgress(parts.rest(), 1);
     written.commit();
 }

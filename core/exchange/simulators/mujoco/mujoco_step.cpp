@@ -50,10 +50,11 @@ double dampedStep(const RowSums& sums) {
 }
 
 /// No more than viscosity asks for, and as much again for springs: more would make the organ heavy.
-std::vector<double> armatureFor(const SpringSystem& system, const RowSums& sums, double step) {
+std::vector<double> armatureFor(const MujocoJoints& joints, const RowSums& sums, double step) {
+    const SpringSystem& system = joints.system;
     std::vector<double> armature(system.mass.size(), 0);
     for (std::size_t node = 0; node < armature.size(); ++node) {
-        if (system.fixed[node]) continue;
+        if (joints.still[node]) continue;
         const double viscous = step * sums.viscous[node] / 2, elastic = step * step * sums.elastic[node] / 4;
         const double needed = inertiaMargin * (viscous + std::min(elastic, viscous));
         armature[node] = std::max(0.0, needed - system.mass[node]);
@@ -62,10 +63,11 @@ std::vector<double> armatureFor(const SpringSystem& system, const RowSums& sums,
 }
 
 /// Viscosities between nodes that move and of what holds these; singular where nothing does.
-Eigen::SparseMatrix<double> viscosityMatrix(const SpringSystem& system) {
+Eigen::SparseMatrix<double> viscosityMatrix(const MujocoJoints& joints) {
+    const auto& [system, still] = joints;
     std::vector<Eigen::Triplet<double>> entries;
-    const auto add = [&](std::uint32_t node, std::uint32_t other, double value) {
-        if (!system.fixed[node] && !system.fixed[other])
+    const auto add = [&still = still, &entries](std::uint32_t node, std::uint32_t other, double value) {
+        if (!still[node] && !still[other])
             entries.emplace_back(static_cast<int>(node), static_cast<int>(other), value);
     };
     for (const auto& [first, second, length, constant, viscosity, phase] : system.springs) {
@@ -77,7 +79,7 @@ Eigen::SparseMatrix<double> viscosityMatrix(const SpringSystem& system) {
     for (const Tether& tether : system.tethers)
         add(tether.node, tether.node, tether.viscosity);
     for (std::uint32_t node = 0; node < system.mass.size(); ++node)
-        if (system.fixed[node]) entries.emplace_back(static_cast<int>(node), static_cast<int>(node), 1.0);
+        if (still[node]) entries.emplace_back(static_cast<int>(node), static_cast<int>(node), 1.0);
     const auto size = static_cast<Eigen::Index>(system.mass.size());
     Eigen::SparseMatrix<double> matrix(size, size);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -86,11 +88,11 @@ Eigen::SparseMatrix<double> viscosityMatrix(const SpringSystem& system) {
 
 /// s, the largest eigenvalue of D⁻¹·armature by power iteration, which finds it from below; infinite where
 /// nothing holds some part by its viscosity. The slowest motion is smooth, and all move alike to begin with.
-double lagOf(const SpringSystem& system, const std::vector<double>& armature) {
+double lagOf(const MujocoJoints& joints, const std::vector<double>& armature) {
     const Eigen::VectorXd inertia =
         Eigen::Map<const Eigen::VectorXd>(armature.data(), static_cast<Eigen::Index>(armature.size()));
     if (inertia.isZero(0)) return 0;
-    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(viscosityMatrix(system));
+    const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(viscosityMatrix(joints));
     constexpr double rounding = 1e-12;
     if (factors.info() != Eigen::Success ||
         factors.vectorD().minCoeff() < rounding * factors.vectorD().maxCoeff())
@@ -107,9 +109,9 @@ double lagOf(const SpringSystem& system, const std::vector<double>& armature) {
 }
 
 /// s, at which the lag comes to what it may be; it is in proportion to the step.
-double unnoticedStep(const SpringSystem& system, const RowSums& sums) {
+double unnoticedStep(const MujocoJoints& joints, const RowSums& sums) {
     const double longest = std::min(longestMujocoStep, stepMargin * dampedStep(sums));
-    const double lag = lagOf(system, armatureFor(system, sums, longest));
+    const double lag = lagOf(joints, armatureFor(joints, sums, longest));
     return lag > mostMujocoLag ? longest * mostMujocoLag / lag : longest;
 }
 
@@ -143,17 +145,18 @@ double largestMujocoStep(const TissueModel& tissue, const std::vector<double>& a
     return stable;
 }
 
-MujocoStep mujocoStep(const TissueModel& tissue, const SpringSystem& system, std::optional<double> timeStep,
+MujocoStep mujocoStep(const TissueModel& tissue, const MujocoJoints& joints, std::optional<double> timeStep,
                       const Progress& progress) {
-    const std::vector<double> none(system.mass.size(), 0);
+    const std::vector<double> none(joints.still.size(), 0);
     const double plain = largestMujocoStep(tissue, none, progress);
-    const RowSums sums = rowSums(system);
-    const double usual =
-        std::max(std::min(stepMargin * plain, longestMujocoStep), unnoticedStep(system, sums));
-    MujocoStep step{timeStep.value_or(usual), none, plain, 0};
+    const RowSums sums = rowSums(joints.system);
+    const auto usual = [&] {
+        return std::max(std::min(stepMargin * plain, longestMujocoStep), unnoticedStep(joints, sums));
+    };
+    MujocoStep step{timeStep ? *timeStep : usual(), none, plain, 0};
     if (step.timeStep <= plain) return step;
-    step.armature = armatureFor(system, sums, step.timeStep);
-    step.lag = lagOf(system, step.armature);
+    step.armature = armatureFor(joints, sums, step.timeStep);
+    step.lag = lagOf(joints, step.armature);
     return step;
 }
 

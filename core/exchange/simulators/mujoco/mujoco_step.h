@@ -33,8 +33,14 @@ struct MujocoStep {
     double lag;          ///< s, at most, by which armature makes motion come later
 };
 
+/// What has joints to move by.
+struct MujocoJoints {
+    const SpringSystem& system;     ///< of the tissue
+    const std::vector<char>& still; ///< by node: it has none, since it is fixed or led
+};
+
 /// @param timeStep s, that is asked for; what suits the tissue without @throws Cancelled
-MujocoStep mujocoStep(const TissueModel& tissue, const SpringSystem& system, std::optional<double> timeStep,
+MujocoStep mujocoStep(const TissueModel& tissue, const MujocoJoints& joints, std::optional<double> timeStep,
                       const Progress& progress = {});
 
 /// s, the longest step that is stable with this armature; infinite where there is no limit. Predicted as of

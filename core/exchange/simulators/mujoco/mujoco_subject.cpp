@@ -21,8 +21,8 @@ void checkMujocoNodes(const SpringSystem& system) {
     if (nodes > mostMujocoNodes)
         throw InvalidModel("MuJoCo is given at most " + std::to_string(mostMujocoNodes) +
                            " nodes, since it keeps a row of all joints for every spring, and the organ has " +
-                           std::to_string(nodes) + ": import it with --detail " +
-                           std::to_string(mostMujocoNodes) + " or fewer, or export it --to sofa");
+                           std::to_string(nodes) + ": import it again with that many (esmc import --detail " +
+                           std::to_string(mostMujocoNodes) + "), or hand it over to SOFA");
     for (std::size_t node = 0; node < nodes; ++node)
         if (system.mass[node] < leastMujocoMass)
             throw InvalidModel("node " + std::to_string(node) + " weighs " + roundedText(system.mass[node]) +
@@ -57,10 +57,11 @@ void checkMujocoMemory(const MujocoSubject& subject) {
     const double bytes =
         static_cast<double>(tendonCount(subject)) * 3 * static_cast<double>(moving) * bytesOfEntry;
     if (bytes > mostBytes)
-        throw InvalidModel("MuJoCo would need " + roundedText(bytes / 1e9, 2) + " GB for " +
-                           std::to_string(tendonCount(subject)) + " tendons of " + std::to_string(moving) +
-                           " nodes, and has room for " + roundedText(mostBytes / 1e9, 2) +
-                           " GB: import it with fewer nodes (--detail), or export it --to sofa");
+        throw InvalidModel(
+            "MuJoCo would need " + roundedText(bytes / 1e9, 2) + " GB for " +
+            std::to_string(tendonCount(subject)) + " tendons of " + std::to_string(moving) +
+            " nodes, and has room for " + roundedText(mostBytes / 1e9, 2) +
+            " GB: import it again with fewer nodes (esmc import --detail), or hand it over to SOFA");
 }
 
 void checkMujocoPictures(const Handover& handover, PictureFormat format) {
@@ -72,7 +73,6 @@ void checkMujocoPictures(const Handover& handover, PictureFormat format) {
 
 MujocoSubject mujocoSubject(const Handover& handover, const SpringSystem& system,
                             const HandoverMeans& means) {
-    ProgressParts parts(means.progress);
     checkMujocoNodes(system);
     checkMujocoPictures(handover, means.pictures.format);
     MujocoSubject subject{
@@ -80,7 +80,8 @@ MujocoSubject mujocoSubject(const Handover& handover, const SpringSystem& system
     subject.still = eitherOf(subject.led, system.fixed);
     if (subject.damping == Damping::Isotropic) subject.rows = dampingRows(system, subject.still);
     checkMujocoMemory(subject);
-    subject.step = mujocoStep(handover.tissue, system, means.engine.timeStep, parts.rest());
+    subject.step =
+        mujocoStep(handover.tissue, {system, subject.still}, means.engine.timeStep, means.progress);
     return subject;
 }
 

@@ -1,9 +1,7 @@
-#include "core/dynamics/spectrum/stability_search.h"
+#include "core/exchange/simulators/curved_hinges.h"
+#include "core/exchange/simulators/look_differences.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/sofa/sofa_scene.h"
-#include "core/texture/maps/finish_pages.h"
-
-#include <cmath>
 
 namespace esm {
 
@@ -17,11 +15,7 @@ void addTissueDifferences(const Handover& handover, const SofaRelease& release, 
         list.push_back(
             {"before release 24.12 SOFA has one constant for a spring, however far it is stretched",
              "springs keep their first constant; write for 24.12 or later for both"});
-    bool isCurved = false;
-    for (const Hinge& hinge : tissue.hinges)
-        if (const auto shape = shapeOf(hinge, tissue.network->restPositions))
-            isCurved |= std::abs(shape->restCurvature) > 0;
-    if (isCurved)
+    if (isCurvedAtRest(makeSpringSystem(tissue)))
         list.push_back({"SOFA has no hinges that are curved at rest",
                         "the wall's bending is that of springs which also resist being turned, by as much as "
                         "it is curved"});
@@ -35,9 +29,8 @@ void addDrawingDifferences(const Handover& handover, DifferenceList& list) {
     if (network.binding && !network.lattice && isDrawnInSofa(handover))
         list.push_back({"SOFA draws a fine surface on the triangles of the coarse one that carries it",
                         "what stands out from these lies flat on them"});
-    if (hasFinish(project.layers, project.texture.finish) || project.texture.occlusionReach > 0)
-        list.push_back(
-            {"how wet and rough the surface is, and its occlusion", "the surface has its colours alone"});
+    for (Difference& look : lookDifferences(project, "a scene of SOFA"))
+        list.push_back(std::move(look));
 }
 
 /// What of a scene has no component in SOFA that does the same.
@@ -63,17 +56,12 @@ std::string schemeOf(Damping damping) {
 
 Differences sofaDifferences(const Handover& handover, const HandoverMeans& means) {
     const auto& [timeStep, damping, version] = means.engine;
-    Differences differences{sceneDifferences(handover.project.scene), schemeOf(damping), timeStep, {}};
+    Differences differences{.list = sceneDifferences(handover.project.scene), .scheme = schemeOf(damping)};
     addTissueDifferences(handover, releaseOf(version), differences.list);
     addDrawingDifferences(handover, differences.list);
-    const std::optional<double> largest = largestSofaStep(handover.tissue, damping, means.progress);
-    if (!timeStep) differences.timeStep = usualSofaStepFor(damping, largest);
-    if (!largest)
-        differences.list.push_back({"no step of symplectic Euler is stable with this tissue's axial damping",
-                                    "it is not handed over; choose isotropic damping"});
-    else if (std::isfinite(*largest))
-        differences.largestStep = largest;
-    if (timeStep && differences.largestStep && *timeStep > *differences.largestStep)
+    differences.largestStep = largestSofaStep(handover.tissue, damping, means.progress);
+    differences.timeStep = timeStep.value_or(usualSofaStepFor(damping, differences.largestStep));
+    if (differences.timeStep > differences.largestStep)
         differences.list.push_back({"the time step that was asked for is longer than the largest stable one",
                                     "the motion will blow up"});
     return differences;

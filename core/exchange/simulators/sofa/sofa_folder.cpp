@@ -19,18 +19,15 @@ void writeSofaFiles(const Handover& handover, const std::filesystem::path& folde
     const std::filesystem::path& place = written.unfinished();
     const SpringNetwork& network = *handover.tissue.network;
     const SpringSystem system = makeSpringSystem(handover.tissue);
-    reportProgress(parts.next(0.05), 1);
-    SofaSubject subject = sofaSubject(handover, system, means);
+    SofaSubject subject = sofaSubject(handover, system, withProgress(means, parts.next(0.15)));
     subject.recording = std::move(recording);
-    reportProgress(parts.next(0.1), 1);
     writeFileAtomically(place / sofaSceneFile, sofaSceneText(subject));
     reportProgress(parts.next(0.1), 1);
     writeXsp(place / dampingFile, subject.viscous, network);
     reportProgress(parts.next(0.1), 1);
     writeXsp(place / hingeFile, subject.bending, network);
-    HandoverMeans rest = means;
-    rest.progress = parts.next(0.6);
-    if (isDrawnInSofa(handover)) writeObjSurface(handover.project, place, rest);
+    const HandoverMeans rest = withProgress(means, parts.next(0.6));
+    if (isDrawn(subject)) writeObjSurface(handover.project, place, rest);
     reportProgress(parts.rest(), 1);
     written.commit();
 }

@@ -11,7 +11,7 @@ namespace esm {
 /// Writes an organ as a folder that SOFA loads as it is: `organ.scn` with nodes, springs, tethers, fixed
 /// nodes and the scene's forces and led nodes, `damping.xsp` and `bending.xsp` with what only fits into files
 /// of their own, and the drawn surface with its texture.
-/// @throws InvalidModel where axial damping leaves no stable step; FileError, Cancelled
+/// @throws FileError, Cancelled
 void writeSofa(const Handover& handover, const std::filesystem::path& folder, const HandoverMeans& means);
 
 /// The same with a scene that writes down how the organ moves in SOFA.

@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <sys/wait.h>
 #include <system_error>
 
@@ -25,8 +26,8 @@ namespace {
 
 constexpr const char* sofaVariable = "ESM_RUNSOFA";
 constexpr double usualRecords = 20;
-constexpr double mostSofaSteps = 2e9;             ///< it counts them in an int
-constexpr std::uint64_t mostOutput = 100'000'000; ///< bytes
+constexpr double mostSofaSteps = 2e9;                ///< it counts them in an int
+constexpr std::uintmax_t mostOutput = 1'000'000'000; ///< bytes; more is no use to anybody
 
 /// Where a run finds and leaves its files.
 struct SofaPlaces {
@@ -37,24 +38,29 @@ struct SofaPlaces {
     fs::path output() const { return folder / "output.txt"; }
 };
 
+/// The last bytes of a file, at most so many; none where it cannot be read.
+std::string endOf(const fs::path& file, std::streamoff most) {
+    std::ifstream stream(file, std::ios::binary | std::ios::ate);
+    const std::streamoff size = stream.tellg();
+    if (!stream || size <= 0) return {};
+    std::string end(static_cast<std::size_t>(std::min(size, most)), ' ');
+    stream.seekg(size - static_cast<std::streamoff>(end.size()));
+    stream.read(end.data(), static_cast<std::streamsize>(end.size()));
+    end.resize(static_cast<std::size_t>(stream.gcount()));
+    return end;
+}
+
 /// The last of what SOFA said, in one line, for a message.
 std::string lastWords(const fs::path& output) {
-    constexpr std::size_t longest = 600;
-    std::string said;
-    try {
-        const Bytes bytes = readFile(output, mostOutput);
-        const std::size_t from = bytes.size() - std::min(bytes.size(), longest);
-        said.assign(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end());
-    } catch (const FileError&) {
-        return "it said too much to be told";
-    }
+    constexpr std::streamoff longest = 600;
+    std::string said = endOf(output, longest);
     for (char& letter : said)
         if (static_cast<unsigned char>(letter) < ' ' || letter == '\x7f') letter = ' ';
     const std::size_t first = said.find_first_not_of(' ');
     return first == said.npos ? "it said nothing" : "it said: " + said.substr(first);
 }
 
-/// With what ends it where this process ends without a word. setpriv becomes the program that it starts.
+/// SOFA ends even where this process is killed: setpriv asks the system for that and becomes SOFA.
 std::vector<std::string> boundToThisProcess(std::vector<std::string> words) {
     if (const auto binder = programInPath("setpriv"))
         words.insert(words.begin(), {binder->string(), "--pdeathsig", "KILL", "--"});
@@ -76,7 +82,8 @@ ChildProcess startSofa(const SofaPlaces& places, std::size_t steps, const Descri
              .output = output.number(),
              .errors = output.number()});
     } catch (const std::system_error& error) {
-        throw FileError(places.program, std::string("cannot be started: ") + error.code().message());
+        throw FileError(places.program, std::string("cannot be started: ") + error.code().message() +
+                                            "; check that it is SOFA's runSofa and may be run");
     }
 }
 
@@ -90,6 +97,14 @@ double shareWritten(const fs::path& states, std::size_t nodes, std::size_t recor
     return std::min(static_cast<double>(bytes) / expected, 0.99);
 }
 
+/// Else a program that complains at every step fills the disk.
+void requireFewWords(const SofaPlaces& places) {
+    std::error_code error;
+    const std::uintmax_t said = fs::file_size(places.output(), error);
+    if (!error && said > mostOutput)
+        throw FileError(places.program, "said more than 1 GB and was ended; " + lastWords(places.output()));
+}
+
 /// What SOFA says on the way is no sign: a release without graphics names missing parts of drawing as errors,
 /// and moves the organ all the same.
 void requireSofaEnded(const SofaPlaces& places, int status) {
@@ -97,10 +112,13 @@ void requireSofaEnded(const SofaPlaces& places, int status) {
     const std::string end = WIFSIGNALED(status) ? std::string("by \"") + ::strsignal(WTERMSIG(status)) + '"'
                                                 : "with " + std::to_string(WEXITSTATUS(status));
     throw FileError(places.program,
-                    "ended " + end + " instead of moving the organ; " + lastWords(places.output()));
+                    "ended " + end +
+                        " instead of moving the organ; check that the release that is asked for is "
+                        "its own; " +
+                        lastWords(places.output()));
 }
 
-/// A full disk SOFA takes for none of its business: it ends as if all were written.
+/// SOFA does not notice a full disk: it ends as if all were written.
 void requireAllStates(const SofaPlaces& places, std::size_t found, const SofaSchedule& schedule) {
     if (found >= schedule.records + 1) return;
     constexpr std::uintmax_t roomForMore = 1 << 20;
@@ -108,7 +126,10 @@ void requireAllStates(const SofaPlaces& places, std::size_t found, const SofaSch
     if (fs::space(places.folder, error).available < roomForMore)
         throw FileError(places.folder,
                         "has no room for the motion: the disk is full; free some and try again");
-    if (found == 0) throw FileError(places.program, "ran and wrote no motion; " + lastWords(places.output()));
+    if (found == 0)
+        throw FileError(places.program,
+                        "ran and wrote no motion; check that the release that is asked for is its own; " +
+                            lastWords(places.output()));
     throw FileError(places.program, "wrote " + std::to_string(found - 1) + " of the " +
                                         std::to_string(schedule.records) + " states that were asked for; " +
                                         lastWords(places.output()));
@@ -116,9 +137,8 @@ void requireAllStates(const SofaPlaces& places, std::size_t found, const SofaSch
 
 /// s, as in "101 iterations done in 0.42 s ( 240 FPS).", which it says by two clocks; the last is the finer
 /// one.
-std::optional<double> secondsIn(const Bytes& output) {
+std::optional<double> secondsIn(std::string_view text) {
     constexpr std::string_view words = "iterations done in ";
-    const std::string_view text(reinterpret_cast<const char*>(output.data()), output.size());
     const std::size_t found = text.rfind(words);
     if (found == text.npos) return std::nullopt;
     std::string_view rest = text.substr(found + words.size());
@@ -132,13 +152,17 @@ std::vector<SofaState> writtenStates(const SofaPlaces& places, std::size_t nodes
     if (!fs::exists(places.states())) return {};
     try {
         return readSofaStates(places.states(), nodes, most, progress);
+    } catch (const FileError&) {
+        throw FileError(places.program,
+                        "wrote a motion that is too long or cannot be read; choose a shorter scene");
     } catch (const InvalidModel& refusal) {
         throw FileError(places.program, std::string("wrote a motion that ") + refusal.what());
     }
 }
 
 double wallSecondsOf(const SofaPlaces& places) {
-    if (const auto seconds = secondsIn(readFile(places.output(), mostOutput))) return *seconds;
+    constexpr std::streamoff longest = 65536;
+    if (const auto seconds = secondsIn(endOf(places.output(), longest))) return *seconds;
     throw FileError(places.program, "did not say how long it took; " + lastWords(places.output()));
 }
 
@@ -167,17 +191,18 @@ SofaRun runInSofa(const fs::path& program, const Handover& handover, const Hando
     const SofaPlaces places{program, scratch.path()};
     const std::size_t nodes = handover.tissue.mass.size();
     ProgressParts parts(means.progress);
-    HandoverMeans writing = means;
-    writing.progress = parts.next(0.1);
-    writeRecordedSofa(handover, places.organ(), writing, {places.states(), schedule.every()});
+    writeRecordedSofa(handover, places.organ(), withProgress(means, parts.next(0.1)),
+                      {places.states(), schedule.every()});
     const Progress running = parts.next(0.8);
     // A state is written as the next step begins.
     const std::size_t steps = schedule.stepsPerRecord * schedule.records + 1;
     {
         const Descriptor output = outputFile(places.output());
         ChildProcess sofa = startSofa(places, steps, output);
-        while (!sofa.endsWithin(moment))
+        while (!sofa.endsWithin(moment)) {
+            requireFewWords(places);
             reportProgress(running, shareWritten(places.states(), nodes, schedule.records));
+        }
         requireSofaEnded(places, sofa.status());
     }
     SofaRun run;

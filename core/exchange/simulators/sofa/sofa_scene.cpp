@@ -4,7 +4,6 @@
 #include "core/exchange/simulators/obj_surface.h"
 #include "core/exchange/simulators/sofa/sofa_loads.h"
 #include "core/exchange/simulators/xml_text.h"
-#include "core/support/errors.h"
 #include "core/support/numbers.h"
 
 namespace esm {
@@ -25,12 +24,12 @@ void addPlugins(const SofaSubject& subject, XmlText& xml) {
                                    "Topology.Container.Dynamic"};
     names.emplace_back(subject.isImplicit() ? "ODESolver.Backward" : "ODESolver.Forward");
     if (subject.isImplicit()) names.emplace_back("LinearSolver.Iterative");
-    const bool isDrawn = isDrawnInSofa(subject.handover);
-    if (isDrawn) names.emplace_back("IO.Mesh");
+    const bool hasSurface = isDrawn(subject);
+    if (hasSurface) names.emplace_back("IO.Mesh");
     if (subject.recording) names.emplace_back("Playback");
     for (const std::string& name : names)
         xml.add("RequiredPlugin", {{"pluginName", "Sofa.Component." + name}});
-    if (isDrawn) xml.add("RequiredPlugin", {{"pluginName", "Sofa.GL.Component.Rendering3D"}});
+    if (hasSurface) xml.add("RequiredPlugin", {{"pluginName", "Sofa.GL.Component.Rendering3D"}});
 }
 
 /// Conjugate gradients end at a residue, not at a number of iterations, so that the motion is the tissue's
@@ -38,7 +37,7 @@ void addPlugins(const SofaSubject& subject, XmlText& xml) {
 void addSolver(const SofaSubject& subject, XmlText& xml) {
     if (!subject.isImplicit()) return xml.add("EulerExplicitSolver", {{"symplectic", "true"}});
     xml.add("EulerImplicitSolver");
-    xml.add("CGLinearSolver", {{"iterations", "1000"}, {"tolerance", "1e-18"}, {"threshold", "1e-40"}});
+    xml.add("CGLinearSolver", {{"iterations", "1000"}, {"tolerance", "1e-12"}, {"threshold", "1e-40"}});
 }
 
 template<typename Cells> std::string cornersOf(const Cells& cells) {
@@ -161,7 +160,7 @@ void addFixedNodes(const SofaSubject& subject, XmlText& xml) {
 
 /// The organ as it is drawn. It finds its place among the nodes by where both are at rest.
 void addSurface(const SofaSubject& subject, XmlText& xml) {
-    if (!isDrawnInSofa(subject.handover)) return;
+    if (!isDrawn(subject)) return;
     XmlAttributes model{{"src", "@mesh"}};
     if (texturePages(subject.handover.project) == 1)
         model.emplace_back("texturename", textureName(0, subject.pictures));
@@ -200,24 +199,19 @@ void addRecorder(const SofaSubject& subject, XmlText& xml) {
 
 } // namespace
 
-std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping, const Progress& progress) {
+double largestSofaStep(const TissueModel& tissue, Damping damping, const Progress& progress) {
     if (damping == Damping::Isotropic) return noStepLimit;
-    return criticalSteps(tissue, damping, {.progress = progress}).at(Integrator::Euler);
+    return criticalStep(tissue, Integrator::Euler, {.progress = progress}, damping).value();
 }
 
-std::optional<double> usualSofaStepFor(Damping damping, const std::optional<double>& largestStep) {
+double usualSofaStepFor(Damping damping, double largestStep) {
     constexpr double ofImplicitEuler = 0.005, margin = 0.9;
-    if (damping == Damping::Isotropic) return ofImplicitEuler;
-    if (!largestStep) return std::nullopt;
-    return std::min(ofImplicitEuler, margin * *largestStep);
+    return damping == Damping::Isotropic ? ofImplicitEuler : std::min(ofImplicitEuler, margin * largestStep);
 }
 
-double sofaStep(const TissueModel& tissue, const EngineSettings& engine) {
+double sofaStep(const TissueModel& tissue, const EngineSettings& engine, const Progress& progress) {
     if (engine.timeStep) return *engine.timeStep;
-    const auto usual = usualSofaStepFor(engine.damping, largestSofaStep(tissue, engine.damping));
-    if (usual) return *usual;
-    throw InvalidModel("no step of symplectic Euler is stable for it with axial damping; hand it over with "
-                       "isotropic damping");
+    return usualSofaStepFor(engine.damping, largestSofaStep(tissue, engine.damping, progress));
 }
 
 SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means) {
@@ -228,7 +222,7 @@ SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, co
             .system = system,
             .release = release,
             .damping = means.engine.damping,
-            .timeStep = sofaStep(handover.tissue, means.engine),
+            .timeStep = sofaStep(handover.tissue, means.engine, means.progress),
             .pictures = means.pictures.format,
             .viscous = isImplicit ? dampingOf(system, release) : std::vector<VectorSpring>{},
             .bending = isImplicit ? undamped(hinges) : hinges};
@@ -238,6 +232,10 @@ bool isDrawnInSofa(const Handover& handover) {
     const SpringNetwork& network = *handover.tissue.network;
     return !handover.project.mesh->triangles.empty() &&
            !simulatedSurface(*handover.project.mesh, network).empty();
+}
+
+bool isDrawn(const SofaSubject& subject) {
+    return !subject.recording && isDrawnInSofa(subject.handover);
 }
 
 std::string sofaSceneText(const SofaSubject& subject) {

@@ -41,25 +41,25 @@ struct SofaSubject {
 inline constexpr const char* sofaSceneFile = "organ.scn";
 inline constexpr const char *hingeFile = "bending.xsp", *dampingFile = "damping.xsp";
 
-/// @param system of the handover's tissue
+/// @param system of the handover's tissue @throws Cancelled
 SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means);
 
-/// s, predicted; infinite where there is no limit, empty where no step is stable. @throws Cancelled
-std::optional<double> largestSofaStep(const TissueModel& tissue, Damping damping,
-                                      const Progress& progress = {});
+/// s, predicted; infinite where there is no limit. @throws Cancelled
+double largestSofaStep(const TissueModel& tissue, Damping damping, const Progress& progress = {});
 
-/// s, that an organ is handed over with: what is asked for, else the usual one.
-/// @throws InvalidModel where axial damping leaves no stable step
-double sofaStep(const TissueModel& tissue, const EngineSettings& engine);
+/// s, that an organ is handed over with: what is asked for, else the usual one. @throws Cancelled
+double sofaStep(const TissueModel& tissue, const EngineSettings& engine, const Progress& progress = {});
 
 /// Whether a drawn surface can follow the nodes in SOFA. It lies on triangles or in tetrahedra of nodes; on
 /// the line of a rigid organ it would collapse.
 bool isDrawnInSofa(const Handover& handover);
+/// Not where SOFA writes the motion down: nobody sees it then, and leading the surface would take its time.
+bool isDrawn(const SofaSubject& subject);
 
 /// s, the step where none is asked for: 5 ms of implicit Euler, where a tube of the published tissue [R C.1]
 /// is off by some 0.2 % of its motion; of symplectic Euler nine tenths of the largest stable one, at most as
-/// long. None where that is none.
-std::optional<double> usualSofaStepFor(Damping damping, const std::optional<double>& largestStep);
+/// long.
+double usualSofaStepFor(Damping damping, double largestStep);
 
 /// The scene that is loaded. It names the other files of its folder.
 std::string sofaSceneText(const SofaSubject& subject);

@@ -26,6 +26,14 @@ Scene scheduledScene(Scene scene, const SofaSchedule& schedule) {
     return scene;
 }
 
+/// What never falls, of several runs in turn. @param progress outlives it, as `done` does
+Progress risingOf(const Progress& progress, double& done) {
+    return [&](double fraction) {
+        done = std::max(done, fraction);
+        return !progress || progress(done);
+    };
+}
+
 /// The work is done in runs of ever shorter steps, nobody knows how many: each takes half of what is left.
 SofaFrames referenceFrames(const SceneRun& run, const Progress& progress) {
     SofaFrames frames;
@@ -39,21 +47,14 @@ SofaFrames referenceFrames(const SceneRun& run, const Progress& progress) {
         return
             [&frames](double, const std::vector<Eigen::Vector3d>& positions) { frames.push_back(positions); };
     };
-    const Progress ofRun = [&](double fraction) {
-        done = std::max(done, fraction);
-        return !part || part(done);
-    };
-    runSceneToError(run, referenceError, newSink, ofRun);
+    runSceneToError(run, referenceError, newSink, risingOf(part, done));
     return frames;
 }
 
 /// s of computing per simulated second, in the way that is recommended or else chosen.
 double usualWallTime(SceneRun run, const Project& project, const Progress& progress) {
     double done = 0;
-    const Progress rising = [&](double fraction) {
-        done = std::max(done, fraction);
-        return !progress || progress(done);
-    };
+    const Progress rising = risingOf(progress, done);
     const bool isRecommended = project.stepping && run.settings.damping == Damping::Isotropic &&
                                isStable(run.model, project.stepping->stepping);
     if (isRecommended) run.settings = withStepping(run.settings, project.stepping->stepping);
@@ -99,11 +100,21 @@ std::uint32_t farthestNode(const SofaFrames& frames) {
     return farthest;
 }
 
-std::vector<double> waysOf(std::uint32_t node, const SofaFrames& frames, const Eigen::Vector3d& rest) {
+std::vector<double> waysOf(std::uint32_t node, const SofaFrames& frames) {
     std::vector<double> ways;
     for (const auto& frame : frames)
-        ways.push_back((frame[node] - rest).norm());
+        ways.push_back((frame[node] - frames.front()[node]).norm());
     return ways;
+}
+
+/// SOFA's places from where it wrote those at rest. Each is written alike while it stays, so that what is
+/// rounded off it is lost with that.
+SofaFrames fromSameRest(SofaFrames there, const std::vector<Eigen::Vector3d>& rest) {
+    const std::vector<Eigen::Vector3d> written = there.front();
+    for (auto& frame : there)
+        for (std::size_t node = 0; node < frame.size(); ++node)
+            frame[node] += rest[node] - written[node];
+    return there;
 }
 
 /// What both motions come to.
@@ -111,13 +122,12 @@ SofaTrial comparedTrial(const SofaFrames& here, const SofaFrames& there, const S
     MotionError error;
     for (std::size_t i = 1; i < here.size(); ++i)
         error.add(there[i], here[i], here.front());
+    const std::uint32_t farthest = farthestNode(here);
     SofaTrial trial;
     trial.error = error.relative();
     trial.timeStep = schedule.timeStep;
-    trial.node = farthestNode(here);
-    const Eigen::Vector3d rest = here.front()[trial.node];
-    trial.here = waysOf(trial.node, here, rest);
-    trial.there = waysOf(trial.node, there, rest);
+    trial.here = waysOf(farthest, here);
+    trial.there = waysOf(farthest, there);
     for (std::size_t i = 0; i < here.size(); ++i)
         trial.times.push_back(static_cast<double>(i) * schedule.every());
     return trial;
@@ -133,25 +143,29 @@ Scene sceneInSofa(Scene scene) {
     return scene;
 }
 
-SofaTrial tryInSofa(const std::filesystem::path& program, const Handover& handover,
-                    const HandoverMeans& means) {
+SofaTrial tryInSofa(const std::filesystem::path& program, Project project, const HandoverMeans& means) {
     ProgressParts parts(means.progress);
-    const EngineSettings& engine = means.engine;
-    const SofaSchedule schedule =
-        sofaSchedule(handover.project.scene.duration, sofaStep(handover.tissue, engine));
-    const Scene scene = scheduledScene(handover.project.scene, schedule);
+    project.scene = sceneInSofa(std::move(project.scene));
+    const Handover handover = handoverOf(project, parts.next(0.02));
+    const double timeStep = sofaStep(handover.tissue, means.engine, parts.next(0.03));
+    const SofaSchedule schedule = sofaSchedule(project.scene.duration, timeStep);
+    const Scene scene = scheduledScene(project.scene, schedule);
     SimulationSettings settings;
-    settings.damping = engine.damping;
+    settings.damping = means.engine.damping;
     const SceneRun run{handover.tissue, {}, scene, settings};
     const SofaFrames here = referenceFrames(run, parts.next(0.4));
-    if (here.size() != schedule.records + 1 || !hasMotion(here))
-        throw InvalidModel("nothing moves the organ: give its scene a force or a led node, by esmc scene");
-    const double wallHere = usualWallTime(run, handover.project, parts.next(0.1));
-    HandoverMeans stepped = means;
-    stepped.engine.timeStep = schedule.timeStep;
-    stepped.progress = parts.rest();
+    if (here.size() != schedule.records + 1)
+        throw InvalidModel("the motion here has " + std::to_string(here.size()) + " states and not " +
+                           std::to_string(schedule.records + 1) + "; choose another time step");
+    if (!hasMotion(here))
+        throw InvalidModel("nothing moves the organ; record a poke and pull at it, or give its scene a force "
+                           "on a node that is not fixed");
+    const double wallHere = usualWallTime(run, project, parts.next(0.1));
+    HandoverMeans stepped = withProgress(means, parts.rest());
+    stepped.engine.timeStep = timeStep;
     SofaRun sofa = runInSofa(program, handover, stepped, schedule);
-    SofaTrial trial = comparedTrial(here, framesAt(schedule, std::move(sofa.states), program), schedule);
+    const SofaFrames there = framesAt(schedule, std::move(sofa.states), program);
+    SofaTrial trial = comparedTrial(here, fromSameRest(there, here.front()), schedule);
     trial.wallHere = wallHere;
     trial.wallThere = sofa.wallPerSimulatedSecond;
     return trial;

@@ -11,8 +11,7 @@ namespace esm {
 /// One motion of an organ here and in SOFA.
 struct SofaTrial {
     std::vector<double> times;       ///< s, from the start on
-    std::uint32_t node = 0;          ///< that moves farthest here
-    std::vector<double> here, there; ///< m, how far that node is from its place at rest, at these times
+    std::vector<double> here, there; ///< m, how far the node that moves farthest here is from rest then
     double error =
         0; ///< of all nodes at all times, relative to the motion here: √(Σ|x − x_here|² / Σ|x_here − x_0|²)
     double timeStep = 0;                ///< s, in SOFA
@@ -22,13 +21,12 @@ struct SofaTrial {
 /// What of a scene SOFA is handed: no instruments, splits, fluids and pressures.
 Scene sceneInSofa(Scene scene);
 
-/// Moves an organ by the scene's forces, led nodes and gravity, here and in an installed SOFA without a
+/// Moves an organ by the forces, led nodes and gravity of its scene, here and in an installed SOFA without a
 /// window. Here that is once to an error of 10⁻⁴ of the motion, which SOFA's is held against, and once in the
-/// usual way, which tells how long it takes. SOFA writes six digits of a place, which is the least error that
-/// can be told.
-/// @param handover of a project whose scene is one of `sceneInSofa()`
-/// @throws InvalidModel where nothing moves, or no step comes as near as that; what runInSofa() throws
-SofaTrial tryInSofa(const std::filesystem::path& program, const Handover& handover,
-                    const HandoverMeans& means);
+/// usual way, which tells how long it takes. SOFA writes six digits of a place; what nodes that stand still
+/// lose by that is taken out.
+/// @throws InvalidModel where nothing moves, or no step comes as near as that; what handoverOf() and
+/// runInSofa() throw
+SofaTrial tryInSofa(const std::filesystem::path& program, Project project, const HandoverMeans& means);
 
 } // namespace esm

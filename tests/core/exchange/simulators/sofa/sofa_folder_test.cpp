@@ -172,9 +172,8 @@ TEST_F(SofaFolder, StepsAxialDampingWithinItsLimit) {
     const double step = scene.elements().front().numbers("dt").front();
     const Differences told = differencesOf(handoverOf(makeSample("tube")), sofaExporter(), means);
     EXPECT_EQ(told.timeStep, step);
-    ASSERT_TRUE(told.largestStep);
-    EXPECT_LT(step, *told.largestStep);
-    EXPECT_GT(step, 0.5 * *told.largestStep);
+    EXPECT_LT(step, told.largestStep);
+    EXPECT_GT(step, 0.5 * told.largestStep);
     EXPECT_EQ(scene.all("CGLinearSolver").size(), 0U);
 }
 

@@ -15,7 +15,7 @@ SofaTrial trialAs(const std::string& role, const Project& project, const Progres
     HandoverMeans means;
     means.progress = progress;
     means.engine.timeStep = 0.001;
-    return tryInSofa(test::standInSofa(), handoverOf(project), means);
+    return tryInSofa(test::standInSofa(), project, means);
 }
 
 TEST(SofaTrial, FindsNoErrorWhereBothMotionsAreTheSame) {

@@ -48,7 +48,7 @@ def write(scene, steps, role):
 
 def hang():
     """With a process of its own, as a program that is started by a script has one."""
-    child = subprocess.Popen(["sleep", "1000"])
+    child = subprocess.Popen(["sleep", "infinity"])
     Path(os.environ["SOFA_PROCESSES"]).write_text(f"{os.getpid()} {child.pid}\n")
     time.sleep(1000)
 
