@@ -17,12 +17,12 @@ using System.IO;
 using System.Linq;
 using System.Text;
 
-/// <summary>What is wrong with a package, in one line.</summary>
+/// <summary>What is wrong with a package and what to do, in one line.</summary>
 public sealed class EsmPackageException : Exception {
     public EsmPackageException(string problem) : base(problem) {}
 
-    internal static void Need(bool condition, string problem) {
-        if (!condition) throw new EsmPackageException(problem);
+    internal static void Need(bool condition, string problem, string remedy = "export the package again") {
+        if (!condition) throw new EsmPackageException(problem + "; " + remedy);
     }
 }
 
@@ -30,6 +30,7 @@ public sealed class EsmPackageException : Exception {
 public sealed class EsmPackage {
     private const int NewestVersion = 9, FloatType = 5126, UnsignedType = 5125;
     private const double Largest = 1e30;
+    private const string NewerReader = "take a newer reader";
 
     public string Name { get; private set; }
     public int Version { get; private set; }
@@ -39,7 +40,7 @@ public sealed class EsmPackage {
     public double StiffeningFactor { get; private set; }
     /// <summary>The extension's JSON: objects are dictionaries, arrays lists, numbers double.</summary>
     public Dictionary<string, object> Json { get; private set; }
-    /// <summary>Of each primitive: POSITION, NORMAL, TEXCOORD_0, indices, vertexNodes, vertices, triangles where it has them.</summary>
+    /// <summary>Of each primitive: POSITION, NORMAL, TEXCOORD_0, TANGENT, indices, vertexNodes, vertices, triangles where it has them.</summary>
     public List<Dictionary<string, Array>> Drawn { get; private set; }
     /// <summary>As they lie in the file, PNG or JPEG, by their places in glTF's images.</summary>
     public List<byte[]> Pictures { get; private set; }
@@ -65,6 +66,8 @@ public sealed class EsmPackage {
         "sheet springShares springs.count 1 SCALAR positive", "sheet nodeShares nodes.count 1 SCALAR positive",
         "lattice tetrahedra lattice.tetrahedronCount 4 SCALAR node", "lattice springShares springs.count 1 SCALAR positive",
         "lattice triangles lattice.triangleCount 3 SCALAR node"}.Select(row => row.Split(' ')).ToArray();
+    private static readonly string[][] s_attributes = {
+        new[] {"POSITION", "VEC3"}, new[] {"NORMAL", "VEC3"}, new[] {"TEXCOORD_0", "VEC2"}, new[] {"TANGENT", "VEC4"}};
     private static readonly string[] s_always = {"nodes", "springs", "tethers", "fixedNodes", "surface"};
 
     /// <summary>Throws EsmPackageException for what is damaged, no package or of a newer version, IOException without a file.</summary>
@@ -74,7 +77,7 @@ public sealed class EsmPackage {
             package.ReadContainer(File.ReadAllBytes(path));
             package.ReadModel();
         } catch (Exception reason) when (!(reason is EsmPackageException || reason is IOException || reason is UnauthorizedAccessException)) {
-            throw new EsmPackageException("is damaged: " + reason.Message.Split('\n')[0].Trim());
+            throw new EsmPackageException("is damaged: " + reason.Message.Split('\n')[0].Trim() + "; export the package again");
         }
         return package;
     }
@@ -91,7 +94,7 @@ public sealed class EsmPackage {
     }
 
     private void ReadContainer(byte[] file) {
-        EsmPackageException.Need(file.Length >= 20 && Word(file, 0) == 0x46546C67, "is no binary glTF file (.glb)");
+        EsmPackageException.Need(file.Length >= 20 && Word(file, 0) == 0x46546C67, "is no binary glTF file (.glb)", "choose a package");
         EsmPackageException.Need(Word(file, 4) == 2, "is glTF of another version than 2");
         EsmPackageException.Need(Word(file, 8) == file.Length, "is cut off or damaged: its header speaks of another length");
         for (long place = 12; place + 8 <= file.Length;) {
@@ -99,7 +102,8 @@ public sealed class EsmPackage {
             EsmPackageException.Need(begin + size <= file.Length, "is damaged: a part reaches beyond its end");
             if (m_gltf == null) {
                 EsmPackageException.Need(kind == 0x4E4F534A, "is damaged: its first part is not JSON");
-                m_text = file.Skip((int)begin).Take((int)size).ToArray();
+                m_text = new byte[size];
+                Buffer.BlockCopy(file, (int)begin, m_text, 0, (int)size);
                 m_gltf = new EsmJson(new UTF8Encoding(false, true).GetString(m_text)).Object();
             } else if (kind == 0x004E4942 && m_binary.Length == 0) {
                 m_binary = new byte[size];
@@ -115,15 +119,17 @@ public sealed class EsmPackage {
     }
 
     private void ReadModel() {
-        object extensions;
+        object extensions, extension;
         var all = m_gltf.TryGetValue("extensions", out extensions) ? extensions as Dictionary<string, object> : null;
-        EsmPackageException.Need(all != null && all.ContainsKey("ESM_spring_mass"), "is glTF, but no model package");
-        Json = (Dictionary<string, object>)all["ESM_spring_mass"];
-        Version = Count(Json["version"]);
-        EsmPackageException.Need(Version >= 1 && Version <= NewestVersion, "is of version " + Version + ", which this reader does not know");
-        EsmPackageException.Need((string)Json["damping"] == "isotropic", "damps in a way that this reader does not know");
-        if (Json.ContainsKey("checksums")) CheckSums((uint[])Numbers(Json["checksums"], "SCALAR", ((List<object>)m_gltf["bufferViews"]).Count));
-        Name = (string)Json["name"];
+        Json = all != null && all.TryGetValue("ESM_spring_mass", out extension) ? extension as Dictionary<string, object> : null;
+        EsmPackageException.Need(Json != null, "is glTF, but no model package: it has no ESM_spring_mass", "export the organ as a model package");
+        Version = CountAt(Json, "version", "version");
+        EsmPackageException.Need(Version >= 1, "says no version of its model");
+        EsmPackageException.Need(Version <= NewestVersion,
+                                 "is of version " + Version + ", newer than this reader, which knows up to " + NewestVersion, NewerReader);
+        EsmPackageException.Need(At<string>(Json, "damping", "damping") == "isotropic", "damps in a way that this reader does not know", NewerReader);
+        if (Json.ContainsKey("checksums")) CheckSums(Places(Json["checksums"], At<List<object>>(m_gltf, "bufferViews", "bufferViews").Count));
+        Name = At<string>(Json, "name", "name");
         foreach (string group in s_always)
             EsmPackageException.Need(Json.ContainsKey(group), "has no " + group);
         foreach (string[] row in s_rows)
@@ -131,72 +137,114 @@ public sealed class EsmPackage {
         ReadStiffening();
         ReadBinding();
         ReadDrawn();
+        ReadPictures();
         ReadFillings();
         CheckModel();
     }
 
-    private static int Count(object value) {
-        double number = (double)value;
-        EsmPackageException.Need(number >= 0 && number <= int.MaxValue && number == Math.Floor(number), "has a count that is none");
-        return (int)number;
+    private static readonly Dictionary<Type, string> s_kinds = new Dictionary<Type, string> {
+        {typeof(string), "text"}, {typeof(double), "number"}, {typeof(List<object>), "list"}, {typeof(Dictionary<string, object>), "object"}};
+
+    /// <summary>Of an object what there is by a key, which must be of that kind.</summary>
+    private static T At<T>(Dictionary<string, object> holder, string key, string name) {
+        object value;
+        EsmPackageException.Need(holder.TryGetValue(key, out value) && value is T, "has no " + s_kinds[typeof(T)] + " at " + name);
+        return (T)value;
     }
-    private static int CountOr(Dictionary<string, object> holder, string key, int otherwise) {
-        return holder.ContainsKey(key) ? Count(holder[key]) : otherwise;
+    private Dictionary<string, object> Group(string name) { return At<Dictionary<string, object>>(Json, name, name); }
+
+    private static List<Dictionary<string, object>> Objects(Dictionary<string, object> holder, string key) {
+        var found = At<List<object>>(holder, key, key).Select(item => item as Dictionary<string, object>).ToList();
+        EsmPackageException.Need(!found.Contains(null), "has no list of objects at " + key);
+        return found;
+    }
+
+    private static bool IsCount(object value) {
+        return value is double && (double)value >= 0 && (double)value <= int.MaxValue && (double)value == Math.Floor((double)value);
+    }
+    private static int CountAt(Dictionary<string, object> holder, string key, string name) {
+        object value;
+        EsmPackageException.Need(holder.TryGetValue(key, out value) && IsCount(value), "has no count at " + name);
+        return (int)(double)value;
+    }
+    private static int OffsetOf(Dictionary<string, object> holder, string name) {
+        return holder.ContainsKey("byteOffset") ? CountAt(holder, "byteOffset", name + "/byteOffset") : 0;
     }
     private int CountOf(string name) {
         string[] parts = name.Split('.');
-        return Count(((Dictionary<string, object>)Json[parts[0]])[parts[1]]);
+        return CountAt(Group(parts[0]), parts[1], name);
     }
 
     private Dictionary<string, object> Element(string kind, object place) {
-        var list = (List<object>)m_gltf[kind];
-        EsmPackageException.Need(Count(place) < list.Count, "has nothing at one of its " + kind);
-        return (Dictionary<string, object>)list[Count(place)];
+        var list = At<List<object>>(m_gltf, kind, kind);
+        EsmPackageException.Need(IsCount(place), "names a place in " + kind + " that is none");
+        var found = (double)place < list.Count ? list[(int)(double)place] as Dictionary<string, object> : null;
+        EsmPackageException.Need(found != null, "has nothing at " + kind + "/" + place);
+        return found;
+    }
+    private static object Place(Dictionary<string, object> holder, string key) {
+        object place;
+        return holder.TryGetValue(key, out place) ? place : null;
     }
 
     /// <summary>Where a view begins, and how long it is.</summary>
     private int[] View(object place) {
         Dictionary<string, object> view = Element("bufferViews", place);
-        long offset = CountOr(view, "byteOffset", 0), size = Count(view["byteLength"]);
-        EsmPackageException.Need(Count(view["buffer"]) == 0 && !view.ContainsKey("byteStride"), "has a bufferView of another kind");
-        EsmPackageException.Need(offset + size <= m_binary.Length, "is damaged: a bufferView reaches beyond the file's binary data");
+        string name = "bufferViews/" + place;
+        long offset = OffsetOf(view, name), size = CountAt(view, "byteLength", name + "/byteLength");
+        EsmPackageException.Need(!view.ContainsKey("byteStride"), name + " should have no byteStride");
+        EsmPackageException.Need(CountAt(view, "buffer", name + "/buffer") == 0 && offset + size <= m_binary.Length,
+                                 "is damaged: " + name + " reaches beyond the file's binary data");
         return new[] {(int)offset, (int)size};
     }
 
     /// <summary>Of an accessor. Count: how many elements it should have; below 0: any.</summary>
     private Array Numbers(object place, string type, long count) {
         Dictionary<string, object> accessor = Element("accessors", place);
-        int found = Count(accessor["count"]), kind = Count(accessor["componentType"]), offset = CountOr(accessor, "byteOffset", 0);
-        EsmPackageException.Need((string)accessor["type"] == type && (count < 0 || found == count), "has an accessor of another type or length");
-        EsmPackageException.Need((kind == FloatType || kind == UnsignedType) && !accessor.ContainsKey("sparse"), "has an accessor of another kind");
-        int[] view = View(accessor["bufferView"]);
+        string name = "accessors/" + place;
+        int found = CountAt(accessor, "count", name + "/count"), kind = CountAt(accessor, "componentType", name + "/componentType");
+        int offset = OffsetOf(accessor, name);
+        EsmPackageException.Need(At<string>(accessor, "type", name + "/type") == type, name + " should be of type " + type);
+        EsmPackageException.Need(count < 0 || found == count, name + " should have " + count + " elements, but has " + found);
+        bool isPlain = !accessor.ContainsKey("sparse") && !true.Equals(Place(accessor, "normalized"));
+        EsmPackageException.Need((kind == FloatType || kind == UnsignedType) && isPlain, name + " is neither of float nor of unsigned int");
+        int[] view = View(Place(accessor, "bufferView"));
         long numbers = (long)found * (type == "SCALAR" ? 1 : type[3] - '0');
-        EsmPackageException.Need(offset % 4 == 0 && offset + 4 * numbers <= view[1], "is damaged: an accessor reaches beyond its bufferView");
+        EsmPackageException.Need(offset % 4 == 0 && offset + 4 * numbers <= view[1], "is damaged: " + name + " reaches beyond its bufferView");
         Array values = kind == FloatType ? (Array)new float[numbers] : new uint[numbers];
         Buffer.BlockCopy(m_binary, view[0] + offset, values, 0, (int)(4 * numbers));
         return values;
     }
+    private uint[] Places(object place, long count) {
+        var places = Numbers(place, "SCALAR", count) as uint[];
+        EsmPackageException.Need(places != null, "accessors/" + place + " should be of unsigned int");
+        return places;
+    }
 
     /// <summary>That no bit has flipped. In the place of the sums' own view, the last, stands that of the JSON.</summary>
     private void CheckSums(uint[] sums) {
-        EsmPackageException.Need(Crc32(m_text, 0, m_text.Length) == sums[sums.Length - 1], "is damaged: its JSON does not have the check sum that it should");
+        EsmPackageException.Need(sums.Length > 0, "has no bufferViews");
+        EsmPackageException.Need(Crc32(m_text, 0, m_text.Length) == sums[sums.Length - 1],
+                                 "is damaged: its JSON does not have the check sum that it should");
         for (int i = 0; i + 1 < sums.Length; ++i) {
             int[] view = View((double)i);
-            EsmPackageException.Need(Crc32(m_binary, view[0], view[1]) == sums[i], "is damaged: bufferViews/" + i + " does not have the check sum that it should");
+            EsmPackageException.Need(Crc32(m_binary, view[0], view[1]) == sums[i],
+                                     "is damaged: bufferViews/" + i + " does not have the check sum that it should");
         }
     }
 
+    private static readonly uint[] s_crcs = Enumerable.Range(0, 256).Select(start => {
+        uint entry = (uint)start;
+        for (int bit = 0; bit < 8; ++bit)
+            entry = (entry & 1) != 0 ? entry >> 1 ^ 0xEDB88320 : entry >> 1;
+        return entry;
+    }).ToArray();
+
     /// <summary>As zlib and PNG have it.</summary>
     private static uint Crc32(byte[] bytes, int begin, int size) {
-        uint[] table = Enumerable.Range(0, 256).Select(start => {
-            uint entry = (uint)start;
-            for (int bit = 0; bit < 8; ++bit)
-                entry = (entry & 1) != 0 ? entry >> 1 ^ 0xEDB88320 : entry >> 1;
-            return entry;
-        }).ToArray();
         uint sum = 0xFFFFFFFF;
         for (int i = begin; i < begin + size; ++i)
-            sum = table[(sum ^ bytes[i]) & 255] ^ sum >> 8;
+            sum = s_crcs[(sum ^ bytes[i]) & 255] ^ sum >> 8;
         return ~sum;
     }
 
@@ -204,55 +252,68 @@ public sealed class EsmPackage {
         long count = CountOf(row[2]), each = int.Parse(row[3]), size = row[4] == "VEC3" ? 3 : 1;
         bool isIndex = row[5] == "node" || row[5] == "vertex";
         if (count == 0) return isIndex ? (Array)new uint[0] : new float[0];
-        Array values = Numbers(((Dictionary<string, object>)Json[row[0]])[row[1]], row[4], count * each / size);
-        Check(values, row[5], row[0] + "." + row[1]);
-        return values;
+        Array values = Numbers(Place(Group(row[0]), row[1]), row[4], count * each / size);
+        if (isIndex) return CheckIndices(values as uint[], row[5], row[0] + "." + row[1]);
+        return CheckFloats(values as float[], row[5], row[0] + "." + row[1]);
     }
 
-    private void Check(Array values, string allowed, string name) {
-        if (allowed == "node" || allowed == "vertex") {
-            var indices = (uint[])values;
-            long limit = CountOf(allowed == "node" ? "nodes.count" : "surface.vertexCount");
-            EsmPackageException.Need(indices.All(index => index < limit), name + " names what the model does not have");
-            return;
-        }
+    private static long LargestOf(uint[] indices) { return indices.Length == 0 ? -1L : indices.Max(); }
+
+    private uint[] CheckIndices(uint[] indices, string of, string name) {
+        EsmPackageException.Need(indices != null, name + " should be of unsigned int");
+        long largest = LargestOf(indices), limit = CountOf(of == "node" ? "nodes.count" : of == "vertex" ? "surface.vertexCount" : "surface.triangleCount");
+        EsmPackageException.Need(largest < limit, name + " names " + of + " " + largest + ", but there are " + limit + ", counted from 0");
+        return indices;
+    }
+
+    private static float[] CheckFloats(float[] values, string allowed, string name) {
+        EsmPackageException.Need(values != null, name + " should be of float");
         double least = allowed == "number" ? -Largest : allowed == "mass" ? 1 / Largest : allowed == "positive" ? double.Epsilon : 0;
-        EsmPackageException.Need(((float[])values).All(value => value >= least && value <= Largest), name + " holds what cannot be");
+        int bad = Array.FindIndex(values, value => !(value >= least && value <= Largest));
+        if (bad < 0) return values;
+        string range = allowed == "number" ? "from -1e30"
+                     : allowed == "mass" ? "from 1e-30" : allowed == "positive" ? "above 0," : "from 0";
+        string found = values[bad].ToString("G6", CultureInfo.InvariantCulture);
+        string problem = ": number " + bad + " is " + found + ", but must be " + range + " to 1e30; export the package again";
+        throw new EsmPackageException(name + problem);
     }
 
     private void ReadStiffening() {
         StiffeningStrain = double.PositiveInfinity;
         StiffeningFactor = 1;
         if (!Json.ContainsKey("stiffening")) return;
-        var law = (Dictionary<string, object>)Json["stiffening"];
-        StiffeningStrain = (double)law["strain"];
-        StiffeningFactor = (double)law["factor"];
+        Dictionary<string, object> law = Group("stiffening");
+        StiffeningStrain = At<double>(law, "strain", "stiffening.strain");
+        StiffeningFactor = At<double>(law, "factor", "stiffening.factor");
         EsmPackageException.Need(StiffeningStrain > 0 && StiffeningFactor > 0 && StiffeningStrain <= Largest && StiffeningFactor <= Largest,
-                                 "has springs that stiffen by no law");
+                                 "stiffening should have a strain and a factor above 0, up to 1e30");
     }
 
     private void ReadBinding() {
         if (!Has("binding")) return;
-        var binding = (Dictionary<string, object>)Json["binding"];
+        Dictionary<string, object> binding = Group("binding");
         int vertices = CountOf("surface.vertexCount");
         bool hasStarts = binding.ContainsKey("starts");
-        uint[] starts = hasStarts ? (uint[])Numbers(binding["starts"], "SCALAR", vertices + 1)
+        uint[] starts = hasStarts ? Places(binding["starts"], vertices + 1L)
                                   : Enumerable.Range(0, vertices + 1).Select(i => (uint)(3 * i)).ToArray();
-        EsmPackageException.Need(starts[0] == 0, "binding.starts do not begin with 0");
+        bool rise = starts[0] == 0;
         for (int i = 0; i < vertices; ++i)
-            EsmPackageException.Need(starts[i] < starts[i + 1], "binding.starts do not rise");
+            rise &= starts[i] < starts[i + 1];
+        EsmPackageException.Need(rise, "binding.starts do not rise from 0");
         long all = starts[vertices];
-        var shares = (float[])(hasStarts ? Numbers(binding["shares"], "SCALAR", all) : Numbers(binding["shares"], "VEC3", vertices));
-        Array nodes = Numbers(binding["nodes"], "SCALAR", all);
-        Check(nodes, "node", "binding.nodes");
-        Check(shares, "number", "binding.shares");
+        object places = Place(binding, "shares");
+        Array numbers = hasStarts ? Numbers(places, "SCALAR", all) : Numbers(places, "VEC3", vertices);
+        float[] shares = CheckFloats(numbers as float[], "number", "binding.shares");
+        uint[] nodes = CheckIndices(Places(Place(binding, "nodes"), all), "node", "binding.nodes");
         for (int i = 0; i < vertices; ++i) {
             double sum = 0;
+            bool good = true;
             for (uint place = starts[i]; place < starts[i + 1]; ++place) {
                 sum += shares[place];
-                EsmPackageException.Need(Math.Abs(shares[place]) <= 4, "binding.shares hold what cannot be");
+                good &= Math.Abs(shares[place]) <= 4;
             }
-            EsmPackageException.Need(Math.Abs(sum - 1) <= 1e-6, "the shares in vertex " + i + " are not one");
+            EsmPackageException.Need(good && Math.Abs(sum - 1) <= 1e-6,
+                                     "binding.shares: those in vertex " + i + " should be from -4 to 4 and make 1");
         }
         m_arrays["binding.starts"] = starts;
         m_arrays["binding.nodes"] = nodes;
@@ -261,25 +322,40 @@ public sealed class EsmPackage {
 
     private void ReadDrawn() {
         Drawn = new List<Dictionary<string, Array>>();
-        foreach (Dictionary<string, object> entry in (List<object>)Json["drawn"]) {
-            var primitives = (List<object>)Element("meshes", entry["mesh"])["primitives"];
-            EsmPackageException.Need(Count(entry["primitive"]) < primitives.Count, "draws a primitive that it has not");
-            var primitive = (Dictionary<string, object>)primitives[Count(entry["primitive"])];
-            var attributes = (Dictionary<string, object>)primitive["attributes"];
-            var part = new Dictionary<string, Array>();
-            foreach (string[] kind in new[] {new[] {"POSITION", "VEC3"}, new[] {"NORMAL", "VEC3"}, new[] {"TEXCOORD_0", "VEC2"}})
-                if (attributes.ContainsKey(kind[0])) part[kind[0]] = (float[])Numbers(attributes[kind[0]], kind[1], -1);
-            foreach (string key in new[] {"vertexNodes", "vertices", "triangles"})
-                if (entry.ContainsKey(key)) part[key] = (uint[])Numbers(entry[key], "SCALAR", key == "triangles" ? -1 : part["POSITION"].Length / 3);
-            Check(part["vertexNodes"], "node", "drawn.vertexNodes");
-            if (part.ContainsKey("vertices")) Check(part["vertices"], "vertex", "drawn.vertices");
-            if (primitive.ContainsKey("indices")) part["indices"] = (uint[])Numbers(primitive["indices"], "SCALAR", -1);
-            Drawn.Add(part);
+        foreach (Dictionary<string, object> entry in Objects(Json, "drawn")) {
+            List<Dictionary<string, object>> primitives = Objects(Element("meshes", Place(entry, "mesh")), "primitives");
+            int place = CountAt(entry, "primitive", "drawn.primitive");
+            EsmPackageException.Need(place < primitives.Count, "drawn names primitive " + place + ", which is not there");
+            Drawn.Add(Primitive(entry, primitives[place], "primitive " + place + " of drawn"));
         }
+    }
+
+    private Dictionary<string, Array> Primitive(Dictionary<string, object> entry, Dictionary<string, object> primitive, string name) {
+        var attributes = At<Dictionary<string, object>>(primitive, "attributes", "attributes of " + name);
+        EsmPackageException.Need(attributes.ContainsKey("POSITION"), name + " has no POSITION");
+        EsmPackageException.Need(entry.ContainsKey("vertexNodes"), "has no drawn.vertexNodes");
+        var part = new Dictionary<string, Array>();
+        foreach (string[] kind in s_attributes)
+            if (attributes.ContainsKey(kind[0]))
+                part[kind[0]] = CheckFloats(Numbers(attributes[kind[0]], kind[1], -1) as float[], "number", "drawn." + kind[0]);
+        int count = part["POSITION"].Length / 3;
+        foreach (string[] kind in new[] {new[] {"vertexNodes", "node"}, new[] {"vertices", "vertex"}})
+            if (entry.ContainsKey(kind[0])) part[kind[0]] = CheckIndices(Places(entry[kind[0]], count), kind[1], "drawn." + kind[0]);
+        uint[] indices = primitive.ContainsKey("indices") ? Places(primitive["indices"], -1) : new uint[0];
+        long largest = LargestOf(indices);
+        EsmPackageException.Need(largest < count, name + " has index " + largest + ", but " + count + " vertices, counted from 0");
+        if (primitive.ContainsKey("indices")) part["indices"] = indices;
+        if (!entry.ContainsKey("triangles")) return part;
+        part["triangles"] = CheckIndices(Places(entry["triangles"], -1), "triangle", "drawn.triangles");
+        EsmPackageException.Need(indices.Length == 3L * part["triangles"].Length, "drawn.triangles are not as many as " + name + " draws");
+        return part;
+    }
+
+    private void ReadPictures() {
         Pictures = new List<byte[]>();
         if (!m_gltf.ContainsKey("images")) return;
-        foreach (Dictionary<string, object> image in (List<object>)m_gltf["images"]) {
-            int[] view = View(image["bufferView"]);
+        foreach (Dictionary<string, object> image in Objects(m_gltf, "images")) {
+            int[] view = View(Place(image, "bufferView"));
             var bytes = new byte[view[1]];
             Buffer.BlockCopy(m_binary, view[0], bytes, 0, view[1]);
             Pictures.Add(bytes);
@@ -288,26 +364,43 @@ public sealed class EsmPackage {
 
     private void ReadFillings() {
         Fillings = new List<KeyValuePair<int, double>>();
-        if (!Has("fillings")) return;
-        foreach (Dictionary<string, object> filling in (List<object>)Json["fillings"]) {
-            var stiffness = (double)filling["stiffness"];
-            EsmPackageException.Need(stiffness > 0 && stiffness <= Largest, "has a filling that cannot be");
-            Fillings.Add(new KeyValuePair<int, double>(Count(filling["part"]), stiffness));
+        foreach (Dictionary<string, object> filling in OfParts("fillings")) {
+            double stiffness = At<double>(filling, "stiffness", "fillings.stiffness");
+            EsmPackageException.Need(stiffness > 0 && stiffness <= Largest,
+                                     "fillings: stiffness " + Fillings.Count + " should be above 0, up to 1e30 Pa");
+            Fillings.Add(new KeyValuePair<int, double>(CountAt(filling, "part", "fillings.part"), stiffness));
         }
+    }
+
+    /// <summary>A list of objects that name a part each, and no part twice.</summary>
+    private List<Dictionary<string, object>> OfParts(string name) {
+        if (!Has(name)) return new List<Dictionary<string, object>>();
+        List<Dictionary<string, object>> found = Objects(Json, name);
+        int different = found.Select(ofPart => CountAt(ofPart, "part", name + ".part")).Distinct().Count();
+        EsmPackageException.Need(different == found.Count, name + " name a part twice");
+        return found;
     }
 
     private void CheckModel() {
         EsmPackageException.Need(NodeCount > 0, "has no nodes");
-        foreach (string[] kind in new[] {new[] {"springs", "nodes", "2"}, new[] {"hinges", "nodes", "4"}, new[] {"binding", "lines", "2"}}) {
-            uint[] nodes = Indices(kind[0], kind[1]);
-            int size = int.Parse(kind[2]);
-            for (int i = 0; i < nodes.Length; i += size)
-                EsmPackageException.Need(nodes.Skip(i).Take(size).Distinct().Count() == size, "one of its " + kind[0] + " has a node twice");
-        }
+        CheckDifferent("springs", "nodes", 2);
+        CheckDifferent("hinges", "nodes", 4);
+        CheckDifferent("binding", "lines", 2);
+        CheckDifferent("lattice", "tetrahedra", 4);
         uint[] fixedNodes = Indices("fixedNodes", "nodes");
         for (int i = 1; i < fixedNodes.Length; ++i)
-            EsmPackageException.Need(fixedNodes[i - 1] < fixedNodes[i], "its fixed nodes are not in order");
-        EsmPackageException.Need(Version >= 6 || (AreMeans("springConstant") && AreMeans("viscosity")), "its springs are not the mean of their nodes");
+            EsmPackageException.Need(fixedNodes[i - 1] < fixedNodes[i], "fixedNodes.nodes do not rise");
+        EsmPackageException.Need(Version >= 6 || (AreMeans("springConstant") && AreMeans("viscosity")),
+                                 "its springs are not the mean of their nodes");
+    }
+
+    /// <summary>That each row of nodes names none twice.</summary>
+    private void CheckDifferent(string group, string key, int size) {
+        uint[] nodes = Indices(group, key);
+        for (int i = 0; i < nodes.Length; ++i)
+            for (int k = i - i % size; k < i; ++k)
+                if (nodes[k] == nodes[i])
+                    throw new EsmPackageException(group + "." + key + ": the nodes of number " + i / size + " should differ; export the package again");
     }
 
     private double[] Means(string key) {
@@ -413,7 +506,8 @@ public sealed class EsmMotion {
     private readonly List<EsmHinge> m_hinges = new List<EsmHinge>();
 
     public EsmMotion(EsmPackage package) {
-        EsmPackageException.Need(package.Fillings.Count == 0, "this reader does not step parts that are filled with fluid");
+        EsmPackageException.Need(package.Fillings.Count == 0, "this reader does not step parts that are filled with fluid",
+                                 "take the one in Python");
         m_package = package;
         m_rest = package.Floats("nodes", "restPosition");
         m_masses = package.Floats("nodes", "mass");
@@ -424,7 +518,7 @@ public sealed class EsmMotion {
         m_fixed = new HashSet<uint>(package.Indices("fixedNodes", "nodes"));
         uint[] hinges = package.Indices("hinges", "nodes");
         for (int i = 0; i < hinges.Length; i += 4)
-            m_hinges.Add(new EsmHinge(hinges.Skip(i).Take(4).ToArray(), package.Floats("hinges", "stiffness")[i / 4],
+            m_hinges.Add(new EsmHinge(new[] {hinges[i], hinges[i + 1], hinges[i + 2], hinges[i + 3]}, package.Floats("hinges", "stiffness")[i / 4],
                                       package.Floats("hinges", "viscosity")[i / 4], m_rest));
         Reset();
     }
@@ -574,7 +668,7 @@ internal sealed class EsmJson {
 
     public Dictionary<string, object> Object() {
         var found = Value() as Dictionary<string, object>;
-        EsmPackageException.Need(found != null && Next() == '\0', "holds JSON that describes nothing");
+        EsmPackageException.Need(found != null && Next() == '\0', "its JSON is no object");
         return found;
     }
 
@@ -659,17 +753,37 @@ internal sealed class EsmJson {
 }
 
 #if ESM_PACKAGE_PROGRAM
-/// <summary>ORGAN.glb [STEPS SECONDS NODE FX FY FZ]: says what it holds, or where a force on a node moved it and its surface.</summary>
+/// <summary>ORGAN.glb [STEPS SECONDS NODE FX FY FZ]: says what it holds, or where a force on a node moved it and its surface.
+/// --each FILE...: says of each what it holds, or what is wrong.</summary>
 internal static class EsmPackageProgram {
+    private static bool IsOfFile(Exception problem) {
+        return problem is EsmPackageException || problem is IOException || problem is UnauthorizedAccessException;
+    }
+
+    private static string Summary(EsmPackage package) {
+        return string.Format("{0} nodes, {1} springs, {2} hinges", package.NodeCount, package.Floats("springs", "restLength").Length,
+                             package.Floats("hinges", "stiffness").Length);
+    }
+
+    private static int Each(IEnumerable<string> files) {
+        foreach (string file in files)
+            try {
+                Console.WriteLine(Summary(EsmPackage.Read(file)));
+            } catch (Exception problem) when (IsOfFile(problem)) {
+                Console.WriteLine(file + ": " + problem.Message);
+            }
+        return 0;
+    }
+
     private static void Print(IEnumerable<double> numbers) {
         Console.WriteLine(string.Join(" ", numbers.Select(number => number.ToString("R", CultureInfo.InvariantCulture))));
     }
 
     private static int Main(string[] arguments) {
+        if (arguments[0] == "--each") return Each(arguments.Skip(1));
         try {
             EsmPackage package = EsmPackage.Read(arguments[0]);
-            Console.WriteLine("{0} nodes, {1} springs, {2} hinges", package.NodeCount, package.Floats("springs", "restLength").Length,
-                              package.Floats("hinges", "stiffness").Length);
+            Console.WriteLine(Summary(package));
             if (arguments.Length < 7) return 0;
             double[] numbers = arguments.Skip(1).Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
             var motion = new EsmMotion(package);
@@ -679,7 +793,7 @@ internal static class EsmPackageProgram {
             Print(motion.Positions);
             Print(package.Carried(motion.Positions));
             return 0;
-        } catch (Exception problem) when (problem is EsmPackageException || problem is IOException || problem is UnauthorizedAccessException) {
+        } catch (Exception problem) when (IsOfFile(problem)) {
             Console.Error.WriteLine(arguments[0] + ": " + problem.Message);
             return 1;
         }
