@@ -224,6 +224,8 @@ public sealed class EsmPackage {
     /// <summary>That no bit has flipped. In the place of the sums' own view, the last, stands that of the JSON.</summary>
     private void CheckSums(uint[] sums) {
         EsmPackageException.Need(sums.Length > 0, "has no bufferViews");
+        long summed = Enumerable.Range(0, sums.Length).Sum(i => (long)View((double)i)[1]);
+        EsmPackageException.Need(summed <= m_binary.Length, "bufferViews overlap, which check sums do not allow");
         EsmPackageException.Need(Crc32(m_text, 0, m_text.Length) == sums[sums.Length - 1],
                                  "is damaged: its JSON does not have the check sum that it should");
         for (int i = 0; i + 1 < sums.Length; ++i) {

@@ -146,6 +146,8 @@ class Container:
         """That no bit has flipped, by the accessor with the check sums of all views; in its own view's place, the last, that of the JSON."""
         views = self.json.get("bufferViews")
         need(isinstance(views, list) and views, "has no bufferViews")
+        summed = sum(self.view(view)[1] for view in range(len(views)))
+        need(summed <= len(self.binary), "bufferViews overlap, which check sums do not allow")
         *sums, of_json = self.indices(place, len(views))
         need(zlib.crc32(self.text) == of_json, "is damaged: its JSON does not have the check sum that it should")
         for view, wanted in enumerate(sums):

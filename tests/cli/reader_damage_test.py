@@ -148,6 +148,12 @@ def numbers_that_cannot_be():
              with_number(with_number(filled, tetrahedra, 0, "<I", 3), tetrahedra, 1, "<I", 3))]
 
 
+def with_overlapping_views(model, gltf):
+    """Each of the whole file: summing them all would take as many times as long as there are views."""
+    for view in gltf["bufferViews"][:-1]:
+        view.update(byteOffset=0, byteLength=gltf["buffers"][0]["byteLength"])
+
+
 class DamagedPackageTest(ReaderCase):
     def refused(self, content):
         """The message of the reader that refuses it; None where it can be read."""
@@ -180,6 +186,10 @@ class DamagedPackageTest(ReaderCase):
         source = SUMMED.read_bytes()
         self.assertIn("check sum", self.refused(with_flipped_bit(source)) or "was read")
         self.assertIn("no bufferViews", self.refused(changed(source, lambda _, gltf: gltf.pop("bufferViews"))) or "was read")
+
+    def test_sums_no_byte_twice(self):
+        message = self.refused(changed(SUMMED.read_bytes(), with_overlapping_views))
+        self.assertEqual(message, "bufferViews overlap, which check sums do not allow; export the package again")
 
     def test_never_breaks_on_damage(self):
         refused = [self.refused(with_damage(round)) for round in range(rounds_of(200, 5000))]
@@ -218,6 +228,10 @@ class CSharpDamageTest(CSharpCase):
         flipped, without_views = self.refused([with_flipped_bit(source), changed(source, lambda _, gltf: gltf.pop("bufferViews"))])
         self.assertIn("check sum", flipped)
         self.assertIn("bufferViews", without_views)
+
+    def test_sums_no_byte_twice(self):
+        message, = self.refused([changed(SUMMED.read_bytes(), with_overlapping_views)])
+        self.assertEqual(message, "bufferViews overlap, which check sums do not allow; export the package again")
 
     def test_never_breaks_on_damage(self):
         refused = self.refused([with_damage(round) for round in range(rounds_of(60, 1000))])
