@@ -46,6 +46,8 @@ public sealed class EsmPackage {
     public List<byte[]> Pictures { get; private set; }
     /// <summary>Parts of the simulated surface, and how stiff the fluid in them is, Pa.</summary>
     public List<KeyValuePair<int, double>> Fillings { get; private set; }
+    /// <summary>Parts, and what else presses on them from within: rows of s and Pa.</summary>
+    public List<KeyValuePair<int, List<double[]>>> Pressures { get; private set; }
 
     private readonly Dictionary<string, Array> m_arrays = new Dictionary<string, Array>();
     private Dictionary<string, object> m_gltf;
@@ -139,6 +141,7 @@ public sealed class EsmPackage {
         ReadDrawn();
         ReadPictures();
         ReadFillings();
+        ReadPressures();
         CheckModel();
     }
 
@@ -263,7 +266,8 @@ public sealed class EsmPackage {
 
     private uint[] CheckIndices(uint[] indices, string of, string name) {
         EsmPackageException.Need(indices != null, name + " should be of unsigned int");
-        long largest = LargestOf(indices), limit = CountOf(of == "node" ? "nodes.count" : of == "vertex" ? "surface.vertexCount" : "surface.triangleCount");
+        long largest = LargestOf(indices);
+        long limit = CountOf(of == "node" ? "nodes.count" : of == "vertex" ? "surface.vertexCount" : "surface.triangleCount");
         EsmPackageException.Need(largest < limit, name + " names " + of + " " + largest + ", but there are " + limit + ", counted from 0");
         return indices;
     }
@@ -374,6 +378,25 @@ public sealed class EsmPackage {
         }
     }
 
+    private void ReadPressures() {
+        Pressures = new List<KeyValuePair<int, List<double[]>>>();
+        foreach (Dictionary<string, object> pressure in OfParts("pressures")) {
+            List<double[]> path = At<List<object>>(pressure, "path", "pressures.path").Select(Row).ToList();
+            bool good = path.Count > 0 && !path.Contains(null);
+            for (int i = 1; good && i < path.Count; ++i)
+                good = path[i - 1][0] < path[i][0];
+            EsmPackageException.Need(good, "pressures: a path should be a list of [s, Pa], the times rising");
+            Pressures.Add(new KeyValuePair<int, List<double[]>>(CountAt(pressure, "part", "pressures.part"), path));
+        }
+    }
+
+    /// <summary>Two numbers; null where it is something else.</summary>
+    private static double[] Row(object found) {
+        var row = found as List<object>;
+        bool good = row != null && row.Count == 2 && row.All(number => number is double && Math.Abs((double)number) <= Largest);
+        return good ? new[] {(double)row[0], (double)row[1]} : null;
+    }
+
     /// <summary>A list of objects that name a part each, and no part twice.</summary>
     private List<Dictionary<string, object>> OfParts(string name) {
         if (!Has(name)) return new List<Dictionary<string, object>>();
@@ -402,7 +425,7 @@ public sealed class EsmPackage {
         for (int i = 0; i < nodes.Length; ++i)
             for (int k = i - i % size; k < i; ++k)
                 if (nodes[k] == nodes[i])
-                    throw new EsmPackageException(group + "." + key + ": the nodes of number " + i / size + " should differ; export the package again");
+                    EsmPackageException.Need(false, group + "." + key + ": the nodes of number " + i / size + " should differ");
     }
 
     private double[] Means(string key) {
@@ -427,8 +450,13 @@ public sealed class EsmPackage {
     public uint[] SimulatedTriangles() {
         if (Has("lattice")) return Indices("lattice", "triangles");
         if (Has("binding")) return Indices("binding", "triangles");
-        uint[] nodes = Indices("surface", "vertexNodes");
-        return Indices("surface", "triangles").Select(vertex => nodes[vertex]).ToArray();
+        uint[] nodes = Indices("surface", "vertexNodes"), corners = Indices("surface", "triangles");
+        var triangles = new List<uint>();
+        for (int i = 0; i < corners.Length; i += 3) {
+            uint a = nodes[corners[i]], b = nodes[corners[i + 1]], c = nodes[corners[i + 2]];
+            if (a != b && b != c && c != a) triangles.AddRange(new[] {a, b, c});
+        }
+        return triangles.ToArray();
     }
 
     /// <summary>x, y, z of every vertex of the surface, m, where nodes at these positions carry it.</summary>
@@ -490,7 +518,11 @@ public sealed class EsmPackage {
     }
 }
 
-/// <summary>A package that moves, from rest, by semi-implicit Euler: for light tissue and short steps.</summary>
+/// <summary>Euler, semi-implicit, for light tissue and short steps; Split, which takes viscosity implicitly, for overdamped tissue
+/// and not for parts that fluid fills.</summary>
+public enum EsmIntegrator { Euler, Split }
+
+/// <summary>A package that moves, from rest. Its pressures begin at time 0.</summary>
 public sealed class EsmMotion {
     /// <summary>x, y, z of every node: m, and m/s.</summary>
     public double[] Positions { get; private set; }
@@ -498,19 +530,23 @@ public sealed class EsmMotion {
     public double Time { get; private set; }
     public EsmVector Gravity;                                                               // m/s²
     public readonly Dictionary<uint, double[]> Forces = new Dictionary<uint, double[]>();   // N, by node
-    public readonly Dictionary<uint, double[]> Led = new Dictionary<uint, double[]>();      // m, by node: the place at the step's end
+    /// <summary>m, by node: the place at the step's end. Fixed nodes stay.</summary>
+    public readonly Dictionary<uint, double[]> Led = new Dictionary<uint, double[]>();
 
     private readonly EsmPackage m_package;
+    private readonly EsmIntegrator m_integrator;
     private readonly double[] m_constants, m_viscosities;
     private readonly float[] m_rest, m_masses, m_lengths;
     private readonly uint[] m_ends;
     private readonly HashSet<uint> m_fixed;
     private readonly List<EsmHinge> m_hinges = new List<EsmHinge>();
+    private readonly List<EsmFluid> m_fluids;
 
-    public EsmMotion(EsmPackage package) {
-        EsmPackageException.Need(package.Fillings.Count == 0, "this reader does not step parts that are filled with fluid",
-                                 "take the one in Python");
+    public EsmMotion(EsmPackage package, EsmIntegrator integrator = EsmIntegrator.Euler) {
+        EsmPackageException.Need(integrator == EsmIntegrator.Euler || package.Fillings.Count == 0,
+                                 "this reader steps parts that are filled with fluid by Euler alone", "take Euler");
         m_package = package;
+        m_integrator = integrator;
         m_rest = package.Floats("nodes", "restPosition");
         m_masses = package.Floats("nodes", "mass");
         m_ends = package.Indices("springs", "nodes");
@@ -523,6 +559,7 @@ public sealed class EsmMotion {
             m_hinges.Add(new EsmHinge(new[] {hinges[i], hinges[i + 1], hinges[i + 2], hinges[i + 3]}, package.Floats("hinges", "stiffness")[i / 4],
                                       package.Floats("hinges", "viscosity")[i / 4], m_rest));
         Reset();
+        m_fluids = EsmFluid.Of(package, Positions);
     }
 
     public void Reset() {
@@ -533,50 +570,201 @@ public sealed class EsmMotion {
 
     /// <summary>Moves on by so many seconds.</summary>
     public void Step(double h) {
-        foreach (var led in Led)
+        var led = Led.Where(place => !m_fixed.Contains(place.Key)).ToList();
+        foreach (var place in led)
             for (int axis = 0; axis < 3; ++axis)
-                Velocities[3 * led.Key + axis] = (led.Value[axis] - Positions[3 * led.Key + axis]) / h;
-        double[] forces = AllForces();
-        for (uint node = 0; node < m_masses.Length; ++node) {
-            if (m_fixed.Contains(node) || Led.ContainsKey(node)) continue;
-            EsmVector acceleration = 1.0 / m_masses[node] * EsmVector.At(forces, node) + Gravity;
-            EsmVector change = h * acceleration;
-            change.AddTo(Velocities, node);
-        }
+                Velocities[3 * place.Key + axis] = (place.Value[axis] - Positions[3 * place.Key + axis]) / h;
+        var isGiven = new bool[m_masses.Length];
+        foreach (uint node in m_fixed.Concat(led.Select(place => place.Key)))
+            isGiven[node] = true;
+        if (m_integrator == EsmIntegrator.Euler)
+            Accelerate(h, isGiven);
+        else
+            Velocities = Solved(h, isGiven);
         for (int i = 0; i < Positions.Length; ++i)
             Positions[i] += h * Velocities[i];
-        foreach (var led in Led)
-            Array.Copy(led.Value, 0, Positions, 3 * led.Key, 3);
+        foreach (var place in led)
+            Array.Copy(place.Value, 0, Positions, 3 * place.Key, 3);
         Time += h;
     }
 
-    private double[] AllForces() {
+    private void Accelerate(double h, bool[] isGiven) {
+        double[] pull = AllForces(Time, Time + h), resistance = Resistance(Velocities);
+        for (int i = 0; i < pull.Length; ++i)
+            if (!isGiven[i / 3]) Velocities[i] += h * (pull[i] - resistance[i]) / m_masses[i / 3];
+    }
+
+    /// <summary>(M + h·D)·v, with 0 for nodes whose velocity is given.</summary>
+    private double[] Times(double h, double[] v, bool[] isGiven) {
+        double[] product = Resistance(v);
+        for (int i = 0; i < v.Length; ++i)
+            product[i] = isGiven[i / 3] ? 0 : m_masses[i / 3] * v[i] + h * product[i];
+        return product;
+    }
+    private double Product(double[] x, double[] y) {
+        return Enumerable.Range(0, x.Length).Sum(i => x[i] * y[i] / m_masses[i / 3]);
+    }
+
+    /// <summary>Velocities by (M + h·D)·v = M·v + h·f, those that are given left as they are: conjugate gradients, from the last ones.</summary>
+    private double[] Solved(double h, bool[] isGiven) {
+        double[] v = (double[])Velocities.Clone(), pull = AllForces(Time + h, Time + h), taken = Times(h, v, isGiven);
+        var right = new double[v.Length];
+        for (int i = 0; i < v.Length; ++i)
+            right[i] = isGiven[i / 3] ? 0 : m_masses[i / 3] * v[i] + h * pull[i];
+        double[] left = right.Zip(taken, (a, b) => a - b).ToArray(), way = left.Select((a, i) => a / m_masses[i / 3]).ToArray();
+        double size = Product(left, left), wanted = 1e-30 * Math.Max(size, Product(right, right));
+        for (int round = 0; round < 10 * v.Length && !(size <= wanted); ++round) {
+            double[] change = Times(h, way, isGiven);
+            double share = size / way.Zip(change, (a, b) => a * b).Sum(), before = size;
+            for (int i = 0; i < v.Length; ++i) {
+                v[i] += share * way[i];
+                left[i] -= share * change[i];
+            }
+            size = Product(left, left);
+            for (int i = 0; i < v.Length; ++i)
+                way[i] = left[i] / m_masses[i / 3] + size / before * way[i];
+        }
+        EsmPackageException.Need(size <= wanted && !double.IsInfinity(wanted), "a step of split did not converge", "take a shorter step");
+        return v;
+    }
+
+    /// <summary>N: all but what viscosity does, with the mean of the pressures at two times, s.</summary>
+    private double[] AllForces(double begin, double end) {
         var forces = new double[Positions.Length];
         for (int i = 0; i < m_lengths.Length; ++i)
             AddSpring(i, forces);
         uint[] tethered = m_package.Indices("tethers", "nodes");
-        float[] constants = m_package.Floats("tethers", "springConstant"), viscosities = m_package.Floats("tethers", "viscosity");
-        for (int i = 0; i < tethered.Length; ++i) {
-            EsmVector away = EsmVector.At(Positions, tethered[i]) - EsmVector.At(m_rest, tethered[i]);
-            (-constants[i] * away - viscosities[i] * EsmVector.At(Velocities, tethered[i])).AddTo(forces, tethered[i]);
-        }
+        float[] constants = m_package.Floats("tethers", "springConstant");
+        for (int i = 0; i < tethered.Length; ++i)
+            (constants[i] * (EsmVector.At(m_rest, tethered[i]) - EsmVector.At(Positions, tethered[i]))).AddTo(forces, tethered[i]);
         foreach (EsmHinge hinge in m_hinges)
-            hinge.AddForces(Positions, Velocities, forces);
+            hinge.AddForces(Positions, forces);
+        foreach (EsmFluid fluid in m_fluids)
+            fluid.AddForces(Positions, begin, end, forces);
         foreach (var force in Forces)
             new EsmVector(force.Value[0], force.Value[1], force.Value[2]).AddTo(forces, force.Key);
+        for (uint node = 0; node < m_masses.Length; ++node)
+            (m_masses[node] * Gravity).AddTo(forces, node);
         return forces;
     }
 
     private void AddSpring(int spring, double[] forces) {
         uint first = m_ends[2 * spring], second = m_ends[2 * spring + 1];
         EsmVector between = EsmVector.At(Positions, first) - EsmVector.At(Positions, second);
-        EsmVector approach = EsmVector.At(Velocities, first) - EsmVector.At(Velocities, second);
         double length = between.Length, rest = m_lengths[spring], pull = 0, stretched = (1 + m_package.StiffeningStrain) * rest;
         if (length > 0) pull = m_constants[spring] * (rest / length - 1);
         if (length > stretched) pull -= (m_package.StiffeningFactor - 1) * m_constants[spring] * (1 - stretched / length);
-        EsmVector force = pull * between - m_viscosities[spring] * approach;
+        EsmVector force = pull * between;
         force.AddTo(forces, first);
         (-1 * force).AddTo(forces, second);
+    }
+
+    /// <summary>N against velocities, m/s: the constant matrix of all viscosities times them.</summary>
+    private double[] Resistance(double[] v) {
+        var forces = new double[v.Length];
+        for (int i = 0; i < m_viscosities.Length; ++i) {
+            EsmVector part = m_viscosities[i] * (EsmVector.At(v, m_ends[2 * i]) - EsmVector.At(v, m_ends[2 * i + 1]));
+            part.AddTo(forces, m_ends[2 * i]);
+            (-1 * part).AddTo(forces, m_ends[2 * i + 1]);
+        }
+        uint[] tethered = m_package.Indices("tethers", "nodes");
+        float[] viscosities = m_package.Floats("tethers", "viscosity");
+        for (int i = 0; i < tethered.Length; ++i)
+            (viscosities[i] * EsmVector.At(v, tethered[i])).AddTo(forces, tethered[i]);
+        foreach (EsmHinge hinge in m_hinges)
+            hinge.AddResistance(v, forces);
+        return forces;
+    }
+}
+
+/// <summary>What presses from within on a closed part of the surface: a fluid by its stiffness, and a pressure with a path in time.</summary>
+internal sealed class EsmFluid {
+    private readonly List<uint> m_wall; // three nodes each, facing outwards
+    private readonly double m_enclosed, m_stiffness;
+    private readonly List<double[]> m_path;
+
+    private EsmFluid(List<List<uint>> parts, int part, double stiffness, List<double[]> path, double[] rest) {
+        EsmPackageException.Need(part < parts.Count, "fills part " + part + " of " + parts.Count + ", counted from 0");
+        m_wall = parts[part];
+        EsmPackageException.Need(IsClosed(m_wall), "fills part " + part + ", which is open");
+        m_stiffness = stiffness;
+        m_path = path;
+        m_enclosed = Volume(rest);
+        EsmPackageException.Need(m_enclosed != 0, "fills part " + part + ", which encloses nothing");
+        if (m_enclosed > 0) return;
+        m_enclosed = -m_enclosed;
+        m_wall = m_wall.ToList();
+        for (int i = 0; i < m_wall.Count; i += 3)
+            m_wall.Reverse(i, 3);
+    }
+
+    public static List<EsmFluid> Of(EsmPackage package, double[] rest) {
+        List<List<uint>> parts = Parts(package.SimulatedTriangles());
+        var constant = new List<double[]> {new double[] {0, 0}};
+        var fluids = package.Fillings.Select(filling => new EsmFluid(parts, filling.Key, filling.Value, constant, rest));
+        return fluids.Concat(package.Pressures.Select(pressure => new EsmFluid(parts, pressure.Key, 0, pressure.Value, rest))).ToList();
+    }
+
+    /// <summary>The connected parts, by their first triangles.</summary>
+    private static List<List<uint>> Parts(uint[] triangles) {
+        var leaders = triangles.Distinct().ToDictionary(node => node);
+        Func<uint, uint> first = node => {
+            while (leaders[node] != node)
+                leaders[node] = node = leaders[leaders[node]];
+            return node;
+        };
+        for (int i = 0; i < triangles.Length; ++i)
+            leaders[first(triangles[i])] = first(triangles[i - i % 3]);
+        var parts = new Dictionary<uint, List<uint>>();
+        var inOrder = new List<List<uint>>();
+        foreach (uint node in triangles) {
+            uint leader = first(node);
+            if (!parts.ContainsKey(leader)) inOrder.Add(parts[leader] = new List<uint>());
+            parts[leader].Add(node);
+        }
+        return inOrder;
+    }
+
+    /// <summary>Whether each edge is run along as often one way as the other.</summary>
+    private static bool IsClosed(List<uint> wall) {
+        var turns = new Dictionary<ulong, int>();
+        for (int i = 0; i < wall.Count; ++i) {
+            ulong a = wall[i], b = wall[i % 3 == 2 ? i - 2 : i + 1], edge = Math.Min(a, b) << 32 | Math.Max(a, b);
+            int before;
+            turns.TryGetValue(edge, out before);
+            turns[edge] = before + (a < b ? 1 : -1);
+        }
+        return turns.Values.All(turn => turn == 0);
+    }
+
+    /// <summary>m³. Measured from a corner, which keeps numbers small far from the origin.</summary>
+    private double Volume(double[] positions) {
+        EsmVector origin = EsmVector.At(positions, m_wall[0]);
+        double sum = 0;
+        for (int i = 0; i < m_wall.Count; i += 3) {
+            EsmVector b = EsmVector.At(positions, m_wall[i + 1]) - origin, c = EsmVector.At(positions, m_wall[i + 2]) - origin;
+            sum += EsmVector.Dot(EsmVector.At(positions, m_wall[i]) - origin, EsmVector.Cross(b, c));
+        }
+        return sum / 6;
+    }
+
+    /// <summary>Pa: even between the rows of the path, before and after them as at its ends.</summary>
+    private double PressureAt(double time) {
+        int next = m_path.FindIndex(row => time < row[0]);
+        if (next < 0) return m_path[m_path.Count - 1][1];
+        if (next == 0) return m_path[0][1];
+        double[] from = m_path[next - 1], to = m_path[next];
+        return from[1] + (time - from[0]) / (to[0] - from[0]) * (to[1] - from[1]);
+    }
+
+    public void AddForces(double[] positions, double begin, double end, double[] forces) {
+        double pressure = m_stiffness * (m_enclosed - Volume(positions)) / m_enclosed + (PressureAt(begin) + PressureAt(end)) / 2;
+        for (int i = 0; i < m_wall.Count; i += 3) {
+            EsmVector a = EsmVector.At(positions, m_wall[i]);
+            EsmVector b = EsmVector.At(positions, m_wall[i + 1]) - a, c = EsmVector.At(positions, m_wall[i + 2]) - a;
+            for (int corner = i; corner < i + 3; ++corner)
+                (pressure / 6 * EsmVector.Cross(b, c)).AddTo(forces, m_wall[corner]);
+        }
     }
 }
 
@@ -607,15 +795,21 @@ internal sealed class EsmHinge {
         return sum;
     }
 
-    public void AddForces(double[] positions, double[] velocities, double[] forces) {
+    public void AddForces(double[] positions, double[] forces) {
         EsmVector[] p = m_nodes.Select(node => EsmVector.At(positions, node)).ToArray();
         EsmVector u = p[1] - p[0], v = p[3] - p[2];
-        EsmVector f = -m_constant * (Sum(positions) - m_curvature * EsmVector.Cross(u, v)), resistance = m_damping * Sum(velocities);
+        EsmVector f = -m_constant * (Sum(positions) - m_curvature * EsmVector.Cross(u, v));
         EsmVector g = -m_curvature * EsmVector.Cross(v, f), h = -m_curvature * EsmVector.Cross(f, u);
         var parts = new[] {new EsmVector(), m_weights[1] * f + g, m_weights[2] * f - h, m_weights[3] * f + h};
         parts[0] = -1 * (parts[1] + parts[2] + parts[3]);
         for (int i = 0; i < 4; ++i)
-            (parts[i] - m_weights[i] * resistance).AddTo(forces, m_nodes[i]);
+            parts[i].AddTo(forces, m_nodes[i]);
+    }
+
+    public void AddResistance(double[] velocities, double[] forces) {
+        EsmVector resistance = m_damping * Sum(velocities);
+        for (int i = 0; i < 4; ++i)
+            (m_weights[i] * resistance).AddTo(forces, m_nodes[i]);
     }
 }
 
@@ -629,7 +823,9 @@ public struct EsmVector {
     public static EsmVector operator -(EsmVector a, EsmVector b) { return new EsmVector(a.X - b.X, a.Y - b.Y, a.Z - b.Z); }
     public static EsmVector operator *(double number, EsmVector a) { return new EsmVector(number * a.X, number * a.Y, number * a.Z); }
     public static double Dot(EsmVector a, EsmVector b) { return a.X * b.X + a.Y * b.Y + a.Z * b.Z; }
-    public static EsmVector Cross(EsmVector a, EsmVector b) { return new EsmVector(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X); }
+    public static EsmVector Cross(EsmVector a, EsmVector b) {
+        return new EsmVector(a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X);
+    }
     public double Length { get { return Math.Sqrt(Dot(this, this)); } }
 
     public void AddTo(double[] values, uint place) {
@@ -755,7 +951,8 @@ internal sealed class EsmJson {
 }
 
 #if ESM_PACKAGE_PROGRAM
-/// <summary>ORGAN.glb [STEPS SECONDS NODE FX FY FZ]: says what it holds, or where a force on a node moved it and its surface.
+/// <summary>ORGAN.glb [Euler|Split STEPS SECONDS [force|lead NODE X Y Z]...]: says what it holds, or where forces on nodes, N, moved it
+/// and its surface while other nodes were led evenly so far from rest, m.
 /// --each FILE...: says of each what it holds, or what is wrong.</summary>
 internal static class EsmPackageProgram {
     private static bool IsOfFile(Exception problem) {
@@ -781,17 +978,33 @@ internal static class EsmPackageProgram {
         Console.WriteLine(string.Join(" ", numbers.Select(number => number.ToString("R", CultureInfo.InvariantCulture))));
     }
 
+    private static double[] Numbers(string[] arguments, int begin, int count) {
+        return arguments.Skip(begin).Take(count).Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
+    }
+
+    private static void Run(EsmMotion motion, int steps, double seconds, string[] arguments) {
+        double[] rest = motion.Positions.ToArray();
+        for (int step = 1; step <= steps; ++step) {
+            for (int i = 4; i + 4 < arguments.Length; i += 5) {
+                uint node = uint.Parse(arguments[i + 1]);
+                double[] numbers = Numbers(arguments, i + 2, 3);
+                if (arguments[i] == "force")
+                    motion.Forces[node] = numbers;
+                else
+                    motion.Led[node] = numbers.Select((number, axis) => rest[3 * node + axis] + (double)step / steps * number).ToArray();
+            }
+            motion.Step(seconds);
+        }
+    }
+
     private static int Main(string[] arguments) {
         if (arguments[0] == "--each") return Each(arguments.Skip(1));
         try {
             EsmPackage package = EsmPackage.Read(arguments[0]);
             Console.WriteLine(Summary(package));
-            if (arguments.Length < 7) return 0;
-            double[] numbers = arguments.Skip(1).Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-            var motion = new EsmMotion(package);
-            motion.Forces[(uint)numbers[2]] = numbers.Skip(3).ToArray();
-            for (int step = 0; step < numbers[0]; ++step)
-                motion.Step(numbers[1]);
+            if (arguments.Length < 4) return 0;
+            var motion = new EsmMotion(package, (EsmIntegrator)Enum.Parse(typeof(EsmIntegrator), arguments[1]));
+            Run(motion, int.Parse(arguments[2]), Numbers(arguments, 3, 1)[0], arguments);
             Print(motion.Positions);
             Print(package.Carried(motion.Positions));
             return 0;

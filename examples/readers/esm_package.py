@@ -100,6 +100,7 @@ class Package:
     json: dict       # the extension, for all that are no arrays
     stiffening: dict = field(default=None)  # strain and factor; None where springs are linear
     fillings: list = field(default_factory=list)
+    pressures: list = field(default_factory=list)
 
 
 class Container:
@@ -299,6 +300,13 @@ class Reader:
             need(is_number(filling.get("stiffness")) and filling["stiffness"] > 0, "fillings: stiffness %d should be above 0, up to 1e30 Pa" % place)
         return fillings
 
+    def pressures(self):
+        pressures = self.of_parts("pressures")
+        for path in (pressure.get("path") for pressure in pressures):
+            good = isinstance(path, list) and path and all(isinstance(row, list) and len(row) == 2 and all(map(is_number, row)) for row in path)
+            need(good and all(a[0] < b[0] for a, b in zip(path, path[1:])), "pressures: a path should be a list of [s, Pa], the times rising")
+        return pressures
+
     def of_parts(self, name):
         """A list of objects that name a part each, and no part twice."""
         found = self.json.get(name, [])
@@ -315,7 +323,8 @@ def read_package(path):
     need(isinstance(reader.json.get("name"), str), "has no name")
     groups = {name: reader.group(name) for name in ARRAYS if name != "binding"}
     package = Package(reader.json["name"], reader.version, binding=reader.binding(), drawn=reader.drawn(), pictures=reader.pictures(),
-                      json=reader.json, stiffening=reader.law(), fillings=reader.fillings(), **groups)
+                      json=reader.json, stiffening=reader.law(), fillings=reader.fillings(), pressures=reader.pressures(),
+                      **groups)
     check_model(package)
     return package
 
@@ -367,7 +376,8 @@ def simulated_triangles(package):
     if package.binding:
         return list(rows(package.binding["triangles"], 3))
     nodes = package.surface["vertexNodes"]
-    return [tuple(nodes[corner] for corner in corners) for corners in rows(package.surface["triangles"], 3)]
+    triangles = (tuple(nodes[corner] for corner in corners) for corners in rows(package.surface["triangles"], 3))
+    return [triangle for triangle in triangles if len(set(triangle)) == 3]
 
 
 def cross(a, b):
@@ -412,6 +422,28 @@ def parts_of(triangles):
     return list(parts.values())
 
 
+def pressure_at(path, time):
+    """Pa: even between the rows of a path, before and after them as at its ends."""
+    for (begin, first), (end, last) in zip(path, path[1:]):
+        if time < end:
+            return first + max(time - begin, 0) / (end - begin) * (last - first)
+    return path[-1][1]
+
+
+def wall_of(parts, place, rest):
+    """The triangles of a closed part, facing outwards, and what it encloses at rest, m³."""
+    need(place < len(parts), "fills part %d of %d, counted from 0" % (place, len(parts)))
+    turns_at = {}
+    for a, b, c in parts[place]:
+        for first, second in ((a, b), (b, c), (c, a)):
+            edge = min(first, second), max(first, second)
+            turns_at[edge] = turns_at.get(edge, 0) + (1 if first < second else -1)
+    need(not any(turns_at.values()), "fills part %d, which is open" % place)
+    enclosed = volume(parts[place], rest)
+    need(enclosed, "fills part %d, which encloses nothing" % place)
+    return parts[place] if enclosed > 0 else [(a, c, b) for a, b, c in parts[place]], abs(enclosed)
+
+
 def volume(triangles, positions):
     """m³. Measured from a corner, which keeps numbers small far from the origin."""
     origin = at(positions, triangles[0][0])
@@ -447,7 +479,7 @@ class Hinge:
 
 class Motion:
     """A package that moves, from rest. `integrator`: "euler", semi-implicit, for light tissue and short steps; "split", which takes
-    viscosity implicitly, for overdamped tissue."""
+    viscosity implicitly, for overdamped tissue and not for parts that fluid fills. Pressures of the package begin at time 0."""
 
     def __init__(self, package, integrator="euler"):
         need(integrator in ("euler", "split"), "this reader has no integrator %s" % shown(integrator), "take euler or split")
@@ -465,21 +497,21 @@ class Motion:
                        zip(rows(hinges["nodes"], 4), hinges["stiffness"], hinges["viscosity"])]
         law = package.stiffening or {"strain": math.inf, "factor": 1}
         self.stretch, self.more = 1 + law["strain"], law["factor"] - 1
-        self.fluids = [self.fluid(filling, parts_of(simulated_triangles(package))) for filling in package.fillings]
+        self.fluids = self.fluids_of(package)
         self.reset()
 
     def reset(self):
         self.positions, self.velocities, self.time = list(self.rest), [0.0] * len(self.rest), 0.0
 
-    def fluid(self, filling, parts):
-        need(filling["part"] < len(parts), "fills part %d of %d" % (filling["part"], len(parts)))
-        wall = parts[filling["part"]]
-        enclosed = volume(wall, self.rest)
-        need(enclosed, "fills a part that encloses nothing")
-        return wall, filling["stiffness"], enclosed
+    def fluids_of(self, package):
+        """Of each filling and pressure the wall and what it encloses, m³, the fluid's stiffness, Pa, and a pressure's path."""
+        presses = [(filling["part"], filling["stiffness"], [(0, 0)]) for filling in package.fillings]
+        presses += [(pressure["part"], 0, pressure["path"]) for pressure in package.pressures]
+        parts = parts_of(simulated_triangles(package)) if presses else []
+        return [(*wall_of(parts, part, self.rest), stiffness, path) for part, stiffness, path in presses]
 
-    def elastic_forces(self):
-        """N, x, y, z of every node: of springs, tethers, hinges and fluids."""
+    def inner_forces(self, begin, end):
+        """N, x, y, z of every node: of springs, tethers, hinges and fluids, with the mean of the pressures at two times, s."""
         p, f = self.positions, [0.0] * len(self.rest)
         for a, b, rest, constant in self.springs:
             x, y, z = p[a] - p[b], p[a + 1] - p[b + 1], p[a + 2] - p[b + 2]
@@ -497,11 +529,11 @@ class Motion:
                 f[i] -= constant * (p[i] - self.rest[i])
         for hinge in self.hinges:
             self.add(f, hinge.nodes, hinge.forces(p))
-        for wall, stiffness, enclosed in self.fluids:
-            pressure = stiffness * (enclosed - volume(wall, p)) / enclosed / 6
+        for wall, enclosed, stiffness, path in self.fluids:
+            pressure = stiffness * (enclosed - volume(wall, p)) / enclosed + (pressure_at(path, begin) + pressure_at(path, end)) / 2
             for nodes in wall:
                 a, b, c = (at(p, node) for node in nodes)
-                self.add(f, nodes, [scaled(pressure, cross(minus(b, a), minus(c, a)))] * 3)
+                self.add(f, nodes, [scaled(pressure / 6, cross(minus(b, a), minus(c, a)))] * 3)
         return f
 
     @staticmethod
@@ -527,12 +559,13 @@ class Motion:
         return f
 
     def step(self, h, forces={}, led={}, gravity=(0, 0, 0)):
-        """Moves on by `h` s. `forces`: N by node. `led`: by node, the place at the step's end, m. `gravity`: m/s²."""
+        """Moves on by `h` s. `forces`: N by node. `led`: by node, the place at the step's end, m; fixed nodes stay. `gravity`: m/s²."""
         p, v = self.positions, self.velocities
+        led = {node: place for node, place in led.items() if node not in self.fixed}
         for node, place in led.items():
             for axis in range(3):
                 v[3 * node + axis] = (place[axis] - p[3 * node + axis]) / h
-        f = self.elastic_forces()
+        f = self.inner_forces(self.time if self.integrator == "euler" else self.time + h, self.time + h)
         self.add(f, forces.keys(), list(forces.values()))
         given = {3 * node + axis for node in self.fixed | set(led) for axis in range(3)}
         masses = [mass for mass in self.mass for _ in range(3)]
@@ -544,7 +577,7 @@ class Motion:
                     v[i] += h * (pull[i] - damping[i]) / masses[i]
         else:
             self.solve(h, masses, [masses[i] * v[i] + h * pull[i] for i in range(len(v))], given)
-        self.positions = [place + h * speed for place, speed in zip(p, v)]
+        self.positions = [place + h * speed for place, speed in zip(p, self.velocities)]
         for node, place in led.items():
             self.positions[3 * node:3 * node + 3] = place
         self.time += h
@@ -562,17 +595,19 @@ class Motion:
 
         v = self.velocities
         left = free([b - a for a, b in zip(times(v), right)])
-        wanted = 1e-30 * product(free(right), free(right))
         way, size = [a / m for a, m in zip(left, masses)], product(left, left)
+        wanted = 1e-30 * max(size, product(free(right), free(right)))
         for _ in range(10 * len(v)):
-            if size <= wanted:
-                break
+            if size <= wanted < math.inf:
+                self.velocities = v
+                return
             change = free(times(way))
             share = size / sum(a * b for a, b in zip(way, change))
-            v[:] = [a + share * b for a, b in zip(v, way)]
+            v = [a + share * b for a, b in zip(v, way)]
             left = [a - share * b for a, b in zip(left, change)]
             before, size = size, product(left, left)
             way = [a / m + size / before * b for a, b, m in zip(left, way, masses)]
+        need(False, "a step of split did not converge", "take a shorter step")
 
 
 def smallest_rotation(first, second):
@@ -644,7 +679,8 @@ def main():
     groups = ("nodes", "springs", "tethers", "fixedNodes", "surface", "hinges", "binding", "sheet", "lattice")
     counts = {group: {key: len(values) for key, values in getattr(package, group).items()} for group in groups if getattr(package, group)}
     print(json.dumps({"name": package.name, "version": package.version, **counts, "stiffening": package.stiffening,
-                      "fillings": len(package.fillings), "drawn": len(package.drawn), "pictures": len(package.pictures)}))
+                      "fillings": len(package.fillings), "pressures": len(package.pressures), "drawn": len(package.drawn),
+                      "pictures": len(package.pictures)}))
     return 0
 
 

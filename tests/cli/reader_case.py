@@ -57,6 +57,20 @@ def changed(content, change):
     return with_json(gltf, rest)
 
 
+def without_sums(model, _):
+    model.pop("checksums", None)
+
+
+def with_number(content, array_of, place, form, value):
+    """A package in which one number of an array is another. `array_of`: of the extension and all JSON the accessor's place."""
+    content = bytearray(changed(content, without_sums))
+    gltf, rest = json_of(bytes(content))
+    accessor = gltf["accessors"][array_of(gltf["extensions"]["ESM_spring_mass"], gltf)]
+    offset = gltf["bufferViews"][accessor["bufferView"]].get("byteOffset", 0) + accessor.get("byteOffset", 0)
+    struct.pack_into(form, content, len(content) - len(rest) + 8 + offset + 4 * place, value)
+    return bytes(content)
+
+
 class ReaderCase(Case):
     def exported(self, *tissue, project=None, scene=HELD):
         """A package of a tube, or of another project, with that tissue."""
@@ -69,6 +83,27 @@ class ReaderCase(Case):
     def light_tube(self, *options):
         """Tissue with so little viscosity that semi-implicit Euler takes long steps."""
         return self.exported(*LIGHT, *options)
+
+    def filled(self, *values, **fluids):
+        """A package of a closed organ with fluid or what else presses in it, and those as a scene has them."""
+        project = self.file("closed.esm")
+        self.done("import", self.data("meshes/sofa-liver-coarse.obj"), "--unit", "cm", "-o", project)
+        fluids = fluids or {"fillings": [{"part": 0, "stiffness": 2000}]}
+        return self.exported(*(values or HEAVIER), project=project, scene={**HELD, **fluids}), fluids
+
+    def with_part_on_one_node(self):
+        """A package of two closed parts, of which the first hangs on one node, so that the filled one counts as the first."""
+        lines, place = self.data("meshes/sofa-liver-coarse.obj").read_text().splitlines(), "v 2 0 0\nv 2.1 0 0\nv 2 0.1 0\nv 2 0 0.1\n"
+        faces = [" ".join(["f", *(str(int(corner.split("/")[0]) + 4) for corner in line.split()[1:])]) for line in lines if line[:2] == "f "]
+        mesh = self.file("two.obj", place + "\n".join([line for line in lines if line[:2] == "v "]
+                                                      + ["f 1 3 2", "f 1 2 4", "f 2 3 4", "f 1 4 3"] + faces))
+        self.done("import", mesh, "--unit", "cm", "-o", self.file("two.esm"))
+        content = self.exported(*HEAVIER, project=self.file("two.esm")).read_bytes()
+        for vertex in range(4):
+            for array in (lambda model, _: model["surface"]["vertexNodes"], lambda model, _: model["drawn"][0]["vertexNodes"]):
+                content = with_number(content, array, vertex, "<I", 0)
+        fluids = {"fillings": [{"part": 0, "stiffness": 2000}], "pressures": [{"part": 0, "path": [[0, 400]]}]}
+        return self.file("organ.glb", changed(content, lambda model, _: model.update(version=9, **fluids))), fluids
 
     def last_frame(self, file, count):
         with open(file) as table:

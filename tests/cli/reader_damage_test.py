@@ -5,14 +5,10 @@ import struct
 import unittest
 
 from esmc import rounds_of, seed_of
-from reader_case import KEPT, CSharpCase, ReaderCase, changed, esm_package, json_of
+from reader_case import KEPT, CSharpCase, ReaderCase, changed, esm_package, json_of, with_number, without_sums
 
 SUMMED = next(file for file in KEPT if "checksums" in json_of(file.read_bytes())[0]["extensions"]["ESM_spring_mass"])
 OTHER_VALUES = [None, True, -1, 0, 1, 10 ** 9, 1 << 40, 1.5, float("inf"), float("nan"), "", "SCALAR", [], [{}], {}]
-
-
-def without_sums(model, _):
-    model.pop("checksums", None)
 
 
 def damaged(content, random):
@@ -107,18 +103,12 @@ CHANGES = (
     ("object at sheet", lambda model, _: model.update(sheet=7)),
     ("no drawn.vertexNodes", lambda model, _: model["drawn"][0].pop("vertexNodes")),
     ("fillings name a part twice", lambda model, _: model.update(fillings=[{"part": 0, "stiffness": 1}] * 2)),
+    ("pressures name a part twice", lambda model, _: model.update(pressures=[{"part": 0, "path": [[0, 1]]}] * 2)),
+    ("times rising", lambda model, _: model.update(pressures=[{"part": 0, "path": [[0, 1], [0, 2]]}])),
+    ("times rising", lambda model, _: model.update(pressures=[{"part": 0, "path": [[0, 1], [1, "2"]]}])),
+    ("times rising", lambda model, _: model.update(pressures=[{"part": 0, "path": []}])),
     ("stiffness 0", lambda model, _: model.update(fillings=[{"part": 0, "stiffness": 0}])),
     ("beyond", lambda _, gltf: gltf["bufferViews"][0].update(byteLength=1 << 30)))
-
-
-def with_number(content, array_of, place, form, value):
-    """A package in which one number of an array is another. `array_of`: of the extension and all JSON the accessor's place."""
-    content = bytearray(changed(content, without_sums))
-    gltf, rest = json_of(bytes(content))
-    accessor = gltf["accessors"][array_of(gltf["extensions"]["ESM_spring_mass"], gltf)]
-    offset = gltf["bufferViews"][accessor["bufferView"]].get("byteOffset", 0) + accessor.get("byteOffset", 0)
-    struct.pack_into(form, content, len(content) - len(rest) + 8 + offset + 4 * place, value)
-    return bytes(content)
 
 
 def kept(name):
