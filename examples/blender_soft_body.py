@@ -134,7 +134,7 @@ def main():
         sys.exit(__doc__)
     try:
         package = read_package(files[0])
-        need(package.surface["triangles"], "has springs alone and no surface")
+        need(package.surface["triangles"], "has springs alone and no surface", "choose an organ with a surface")
     except (PackageError, OSError) as problem:
         sys.exit(f"{files[0]}: {problem}")
     print(json.dumps(soft_body(package)))

@@ -45,18 +45,40 @@ ARRAYS = {
     "lattice": (("tetrahedra", "tetrahedronCount", 4, "SCALAR", "node"), ("springShares", "springs.count", 1, "SCALAR", "positive"),
                 ("triangles", "triangleCount", 3, "SCALAR", "node")),
 }
+ATTRIBUTES = {"POSITION": "VEC3", "NORMAL": "VEC3", "TEXCOORD_0": "VEC2", "TANGENT": "VEC4"}
 ALWAYS = ("nodes", "springs", "tethers", "fixedNodes", "surface")
-ALLOWED = {"number": lambda x: abs(x) <= LARGEST, "amount": lambda x: 0 <= x <= LARGEST, "positive": lambda x: 0 < x <= LARGEST,
-           "mass": lambda x: 1 / LARGEST <= x <= LARGEST}
+ALLOWED = {"number": (lambda x: abs(x) <= LARGEST, "from -1e30 to 1e30"), "amount": (lambda x: 0 <= x <= LARGEST, "from 0 to 1e30"),
+           "positive": (lambda x: 0 < x <= LARGEST, "above 0, up to 1e30"),
+           "mass": (lambda x: 1 / LARGEST <= x <= LARGEST, "from 1e-30 to 1e30")}
+AGAIN = "export the package again"
 
 
 class PackageError(ValueError):
-    """What is wrong with a package, in one line."""
+    """What is wrong with a package and what to do, in one line."""
 
 
-def need(condition, problem):
+def need(condition, problem, remedy=AGAIN):
     if not condition:
-        raise PackageError(problem)
+        raise PackageError("%s; %s" % (problem, remedy))
+
+
+def shown(value):
+    """What a file says, in few words on one line."""
+    text = repr(value)
+    return text if len(text) <= 40 else text[:37] + "..."
+
+
+def refuse_constant(word):
+    raise ValueError("%s is no number" % word)
+
+
+def is_number(value):
+    """Of JSON; neither infinite nor none."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST
+
+
+def is_count(value):
+    return is_number(value) and isinstance(value, int) and value >= 0
 
 
 @dataclass
@@ -78,15 +100,16 @@ class Package:
     json: dict       # the extension, for all that are no arrays
     stiffening: dict = field(default=None)  # strain and factor; None where springs are linear
     fillings: list = field(default_factory=list)
+    pressures: list = field(default_factory=list)
 
 
 class Container:
     """The two chunks of a binary glTF file, and what its accessors hold."""
 
     def __init__(self, content):
-        need(len(content) >= 20 and content[:4] == b"glTF", "is no binary glTF file (.glb)")
+        need(len(content) >= 20 and content[:4] == b"glTF", "is no binary glTF file (.glb)", "choose a package")
         version, length = struct.unpack_from("<II", content, 4)
-        need(version == 2, "is glTF of version %d; version 2 is needed" % version)
+        need(version == 2, "is glTF of version %d, not 2" % version)
         need(length == len(content), "is cut off or damaged: its header speaks of %d bytes, but it has %d" % (length, len(content)))
         chunks, place = [], 12
         while place + 8 <= length:
@@ -97,15 +120,15 @@ class Container:
         need(chunks and chunks[0][0] == 0x4E4F534A, "is damaged: its first part is not JSON")
         self.text, self.binary = chunks[0][1], next((body for kind, body in chunks[1:] if kind == 0x004E4942), b"")
         try:
-            self.json = json.loads(chunks[0][1].decode("utf-8"))
+            self.json = json.loads(chunks[0][1].decode("utf-8"), parse_constant=refuse_constant)
         except (ValueError, RecursionError) as reason:
-            raise PackageError("holds no JSON that can be read: %s" % reason) from None
-        need(isinstance(self.json, dict), "holds JSON that describes nothing")
+            raise PackageError("holds no JSON that can be read: %s; %s" % (reason, AGAIN)) from None
+        need(isinstance(self.json, dict), "its JSON is no object")
 
     def element(self, kind, place):
         elements = self.json.get(kind)
         need(isinstance(elements, list) and is_count(place) and place < len(elements) and isinstance(elements[place], dict),
-             "has nothing at %s/%s" % (kind, place))
+             "has nothing at %s/%s" % (kind, shown(place)))
         return elements[place]
 
     def view(self, place):
@@ -124,10 +147,17 @@ class Container:
         """That no bit has flipped, by the accessor with the check sums of all views; in its own view's place, the last, that of the JSON."""
         views = self.json.get("bufferViews")
         need(isinstance(views, list) and views, "has no bufferViews")
-        *sums, of_json = self.numbers(place, "SCALAR", len(views))
+        summed = sum(self.view(view)[1] for view in range(len(views)))
+        need(summed <= len(self.binary), "bufferViews overlap, which check sums do not allow")
+        *sums, of_json = self.indices(place, len(views))
         need(zlib.crc32(self.text) == of_json, "is damaged: its JSON does not have the check sum that it should")
         for view, wanted in enumerate(sums):
             need(zlib.crc32(self.bytes(view)) == wanted, "is damaged: bufferViews/%d does not have the check sum that it should" % view)
+
+    def indices(self, place, count=None):
+        values = self.numbers(place, "SCALAR", count)
+        need(values.typecode == "I", "accessors/%s should be of unsigned int" % place)
+        return values
 
     def numbers(self, place, type, count=None):
         """Of an accessor, flat. `count`: elements that there should be; any without."""
@@ -136,19 +166,15 @@ class Container:
         need(accessor.get("type") == type, "%s should be of type %s" % (name, type))
         need(kind in (FLOAT, UNSIGNED) and not accessor.get("normalized") and "sparse" not in accessor,
              "%s is neither of float nor of unsigned int" % name)
-        need(is_count(found) and found == (found if count is None else count), "%s should have %s elements, but has %s" % (name, count, found))
+        need(is_count(found) and found == (found if count is None else count),
+             "%s should have %s elements, but has %s" % (name, "some" if count is None else count, shown(found)))
         start, size = self.view(accessor.get("bufferView"))
         length = 4 * found * SIZES[type]
         need(is_count(offset) and offset % 4 == 0 and offset + length <= size, "%s reaches beyond its bufferView" % name)
         values = array("f" if kind == FLOAT else "I", self.binary[start + offset:start + offset + length])
         if sys.byteorder == "big":
             values.byteswap()
-        need(kind == UNSIGNED or all(map(math.isfinite, values)), "%s holds a number that is not finite" % name)
         return array("d", values) if kind == FLOAT else values
-
-
-def is_count(value):
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
 
 class Reader:
@@ -158,11 +184,13 @@ class Reader:
         self.container = container
         extensions = container.json.get("extensions")
         self.json = extensions.get(EXTENSION) if isinstance(extensions, dict) else None
-        need(isinstance(self.json, dict), "is glTF, but no model package: it has no " + EXTENSION)
+        need(isinstance(self.json, dict), "is glTF, but no model package: it has no " + EXTENSION,
+             "export the organ as a model package")
         self.version = self.json.get("version")
         need(is_count(self.version) and self.version >= 1, "says no version of its model")
-        need(self.version <= NEWEST, "is of version %d, newer than this reader, which knows up to %d" % (self.version, NEWEST))
-        need(self.json.get("damping") == "isotropic", "damps in a way that this reader does not know")
+        need(self.version <= NEWEST, "is of version %s, newer than this reader, which knows up to %d" % (shown(self.version), NEWEST),
+             "take a newer reader")
+        need(self.json.get("damping") == "isotropic", "damps in a way that this reader does not know", "take a newer reader")
         if "checksums" in self.json:
             container.check_sums(self.json["checksums"])
 
@@ -176,7 +204,7 @@ class Reader:
     def array(self, group, row):
         key, counted, each, type, allowed = row
         holder = self.json[group]
-        need(isinstance(holder, dict), "holds nothing at %s" % group)
+        need(isinstance(holder, dict), "has no object at %s" % group)
         count = self.count(counted if "." in counted else "%s.%s" % (group, counted))
         if count == 0:
             return array("d" if allowed in ALLOWED else "I")
@@ -185,13 +213,15 @@ class Reader:
         return values
 
     def check(self, values, allowed, name):
-        limit = {"node": "nodes.count", "vertex": "surface.vertexCount"}.get(allowed)
-        need((values.typecode == "I") == (limit is not None), "%s is of another kind of number" % name)
+        limit = {"node": "nodes.count", "vertex": "surface.vertexCount", "triangle": "surface.triangleCount"}.get(allowed)
+        need((values.typecode == "I") == (limit is not None), "%s should be of %s" % (name, "unsigned int" if limit else "float"))
         if limit:
-            need(max(values) < self.count(limit), "%s names number %d of %d" % (name, max(values), self.count(limit)))
-        else:
-            bad = next((i for i, value in enumerate(values) if not ALLOWED[allowed](value)), None)
-            need(bad is None, "%s holds what cannot be at place %s" % (name, bad))
+            largest, count = max(values, default=-1), self.count(limit)
+            need(largest < count, "%s names %s %d, but there are %d, counted from 0" % (name, allowed, largest, count))
+            return
+        is_allowed, range_of_it = ALLOWED[allowed]
+        bad = next((place for place in enumerate(values) if not is_allowed(place[1])), None)
+        need(not bad, bad and "%s: number %d is %g, but must be %s" % (name, *bad, range_of_it))
 
     def group(self, name):
         if name not in self.json:
@@ -204,64 +234,86 @@ class Reader:
         if not arrays:
             return arrays
         json, numbers = self.json["binding"], self.container.numbers
-        starts = numbers(json["starts"], "SCALAR", vertices + 1) if "starts" in json else array("I", range(0, 3 * vertices + 1, 3))
-        need(starts.typecode == "I" and starts[0] == 0 and all(a < b for a, b in zip(starts, starts[1:])), "binding.starts do not rise from 0")
+        starts = self.container.indices(json["starts"], vertices + 1) if "starts" in json else array("I", range(0, 3 * vertices + 1, 3))
+        need(starts[0] == 0 and all(a < b for a, b in zip(starts, starts[1:])), "binding.starts do not rise from 0")
         nodes = numbers(json.get("nodes"), "SCALAR", starts[-1])
         shares = numbers(json.get("shares"), *(("SCALAR", starts[-1]) if "starts" in json else ("VEC3", vertices)))
         self.check(nodes, "node", "binding.nodes")
         self.check(shares, "number", "binding.shares")
         for vertex, (begin, end) in enumerate(zip(starts, starts[1:])):
             row = shares[begin:end]
-            need(abs(sum(row) - 1) <= 1e-6 and all(-4 <= share <= 4 for share in row), "binding: the shares in vertex %d are none" % vertex)
+            need(abs(sum(row) - 1) <= 1e-6 and all(-4 <= share <= 4 for share in row),
+                 "binding.shares: those in vertex %d should be from -4 to 4 and make 1" % vertex)
         return {**arrays, "starts": starts, "nodes": nodes, "shares": shares}
 
     def drawn(self):
         entries = self.json.get("drawn")
-        need(isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries), "does not say what is drawn")
+        need(isinstance(entries, list) and all(isinstance(entry, dict) for entry in entries), "has no list of objects at drawn")
         return [self.primitive(entry) for entry in entries]
+
+    def attribute(self, place, key):
+        values = self.container.numbers(place, ATTRIBUTES[key])
+        self.check(values, "number", "drawn." + key)
+        return values
 
     def primitive(self, entry):
         primitives = self.container.element("meshes", entry.get("mesh")).get("primitives")
-        place, numbers = entry.get("primitive"), self.container.numbers
-        need(isinstance(primitives, list) and is_count(place) and place < len(primitives), "draws a primitive that it has not")
-        primitive = primitives[place]
+        place, indices = entry.get("primitive"), self.container.indices
+        need(isinstance(primitives, list) and is_count(place) and place < len(primitives),
+             "drawn names primitive %s, which is not there" % shown(place))
+        primitive, name = primitives[place], "primitive %d of drawn" % place
         attributes = primitive.get("attributes") if isinstance(primitive, dict) else None
-        need(isinstance(attributes, dict), "draws a primitive without attributes")
-        types = {"POSITION": "VEC3", "NORMAL": "VEC3", "TEXCOORD_0": "VEC2", "TANGENT": "VEC4"}
-        part = {key: numbers(attributes[key], type) for key, type in types.items() if key in attributes}
-        count = len(part.get("POSITION", ())) // 3
+        need(isinstance(attributes, dict) and "POSITION" in attributes, name + " has no POSITION")
+        part = {key: self.attribute(attributes[key], key) for key in ATTRIBUTES if key in attributes}
+        count = len(part["POSITION"]) // 3
+        need("vertexNodes" in entry, "has no drawn.vertexNodes")
         for key, allowed in (("vertexNodes", "node"), ("vertices", "vertex")):
             if key in entry:
-                part[key] = numbers(entry[key], "SCALAR", count)
+                part[key] = indices(entry[key], count)
                 self.check(part[key], allowed, "drawn." + key)
         if "indices" in primitive:
-            part["indices"] = numbers(primitive["indices"], "SCALAR")
-            need(part["indices"].typecode == "I" and max(part["indices"], default=0) < max(count, 1), "draws a vertex that it has not")
+            part["indices"] = indices(primitive["indices"])
+            largest = max(part["indices"], default=-1)
+            need(largest < count, "%s has index %d, but %d vertices, counted from 0" % (name, largest, count))
         if "triangles" in entry:
-            part["triangles"] = numbers(entry["triangles"], "SCALAR")
-            need(max(part["triangles"], default=0) < self.count("surface.triangleCount"), "draws a triangle that its surface has not")
+            part["triangles"] = indices(entry["triangles"])
+            self.check(part["triangles"], "triangle", "drawn.triangles")
+            need(len(part.get("indices", ())) == 3 * len(part["triangles"]), "drawn.triangles are not as many as %s draws" % name)
         return {**part, "mode": primitive.get("mode", 4), "material": primitive.get("material")}
 
     def pictures(self):
         images = self.container.json.get("images", [])
-        need(isinstance(images, list) and all(isinstance(image, dict) for image in images), "has pictures that are none")
+        need(isinstance(images, list) and all(isinstance(image, dict) for image in images), "has no list of objects at images")
         return [{"name": image.get("name", ""), "mimeType": image.get("mimeType"), "bytes": self.container.bytes(image.get("bufferView"))}
                 for image in images]
 
     def law(self):
         law = self.json.get("stiffening")
         if law is not None:
-            good = isinstance(law, dict) and all(isinstance(law.get(key), (int, float)) and 0 < law[key] <= LARGEST for key in ("strain", "factor"))
-            need(good, "has springs that stiffen by no law")
+            good = isinstance(law, dict) and all(is_number(law.get(key)) and law[key] > 0 for key in ("strain", "factor"))
+            need(good, "stiffening should have a strain and a factor above 0, up to 1e30")
         return law
 
     def fillings(self):
-        fillings = self.json.get("fillings", [])
-        need(isinstance(fillings, list), "has fillings that are no list")
-        for filling in fillings:
-            good = isinstance(filling, dict) and is_count(filling.get("part")) and isinstance(filling.get("stiffness"), (int, float))
-            need(good and 0 < filling["stiffness"] <= LARGEST, "has a filling that cannot be")
+        fillings = self.of_parts("fillings")
+        for place, filling in enumerate(fillings):
+            need(is_number(filling.get("stiffness")) and filling["stiffness"] > 0, "fillings: stiffness %d should be above 0, up to 1e30 Pa" % place)
         return fillings
+
+    def pressures(self):
+        pressures = self.of_parts("pressures")
+        for path in (pressure.get("path") for pressure in pressures):
+            good = isinstance(path, list) and path and all(isinstance(row, list) and len(row) == 2 and all(map(is_number, row)) for row in path)
+            need(good and all(a[0] < b[0] for a, b in zip(path, path[1:])), "pressures: a path should be a list of [s, Pa], the times rising")
+        return pressures
+
+    def of_parts(self, name):
+        """A list of objects that name a part each, and no part twice."""
+        found = self.json.get(name, [])
+        need(isinstance(found, list) and all(isinstance(of_part, dict) and is_count(of_part.get("part")) for of_part in found),
+             "has no list of parts at %s" % name)
+        need(len({of_part["part"] for of_part in found}) == len(found), "%s name a part twice" % name)
+        return found
 
 
 def read_package(path):
@@ -271,7 +323,8 @@ def read_package(path):
     need(isinstance(reader.json.get("name"), str), "has no name")
     groups = {name: reader.group(name) for name in ARRAYS if name != "binding"}
     package = Package(reader.json["name"], reader.version, binding=reader.binding(), drawn=reader.drawn(), pictures=reader.pictures(),
-                      json=reader.json, stiffening=reader.law(), fillings=reader.fillings(), **groups)
+                      json=reader.json, stiffening=reader.law(), fillings=reader.fillings(), pressures=reader.pressures(),
+                      **groups)
     check_model(package)
     return package
 
@@ -291,12 +344,12 @@ def check_model(package):
     need(package.nodes["mass"], "has no nodes")
     for group, key, size in (("springs", "nodes", 2), ("hinges", "nodes", 4), ("binding", "lines", 2), ("lattice", "tetrahedra", 4)):
         for place, ends in enumerate(rows(getattr(package, group).get(key, ()), size)):
-            need(len(set(ends)) == size, "%s %d has a node twice" % (group, place))
+            need(len(set(ends)) == size, "%s.%s: the nodes of number %d should differ" % (group, key, place))
     fixed = package.fixedNodes["nodes"]
-    need(all(a < b for a, b in zip(fixed, fixed[1:])), "its fixed nodes are not in order")
+    need(all(a < b for a, b in zip(fixed, fixed[1:])), "fixedNodes.nodes do not rise")
     if package.version < 6:
         for key in ("springConstant", "viscosity"):
-            need(are_means(package, key), "its springs' %s is not the mean of their nodes'" % key)
+            need(are_means(package, key), "springs.%s is not the mean of its nodes', as version %d has it" % (key, package.version))
 
 
 def means(package, key):
@@ -323,7 +376,8 @@ def simulated_triangles(package):
     if package.binding:
         return list(rows(package.binding["triangles"], 3))
     nodes = package.surface["vertexNodes"]
-    return [tuple(nodes[corner] for corner in corners) for corners in rows(package.surface["triangles"], 3)]
+    triangles = (tuple(nodes[corner] for corner in corners) for corners in rows(package.surface["triangles"], 3))
+    return [triangle for triangle in triangles if len(set(triangle)) == 3]
 
 
 def cross(a, b):
@@ -368,6 +422,28 @@ def parts_of(triangles):
     return list(parts.values())
 
 
+def pressure_at(path, time):
+    """Pa: even between the rows of a path, before and after them as at its ends."""
+    for (begin, first), (end, last) in zip(path, path[1:]):
+        if time < end:
+            return first + max(time - begin, 0) / (end - begin) * (last - first)
+    return path[-1][1]
+
+
+def wall_of(parts, place, rest):
+    """The triangles of a closed part, facing outwards, and what it encloses at rest, m³."""
+    need(place < len(parts), "fills part %d of %d, counted from 0" % (place, len(parts)))
+    turns_at = {}
+    for a, b, c in parts[place]:
+        for first, second in ((a, b), (b, c), (c, a)):
+            edge = min(first, second), max(first, second)
+            turns_at[edge] = turns_at.get(edge, 0) + (1 if first < second else -1)
+    need(not any(turns_at.values()), "fills part %d, which is open" % place)
+    enclosed = volume(parts[place], rest)
+    need(enclosed, "fills part %d, which encloses nothing" % place)
+    return parts[place] if enclosed > 0 else [(a, c, b) for a, b, c in parts[place]], abs(enclosed)
+
+
 def volume(triangles, positions):
     """m³. Measured from a corner, which keeps numbers small far from the origin."""
     origin = at(positions, triangles[0][0])
@@ -403,11 +479,11 @@ class Hinge:
 
 class Motion:
     """A package that moves, from rest. `integrator`: "euler", semi-implicit, for light tissue and short steps; "split", which takes
-    viscosity implicitly, for overdamped tissue."""
+    viscosity implicitly, for overdamped tissue and not for parts that fluid fills. Pressures of the package begin at time 0."""
 
     def __init__(self, package, integrator="euler"):
-        need(integrator in ("euler", "split"), "no such integrator: take euler or split")
-        need(integrator == "euler" or not package.fillings, "this reader steps parts that are filled with fluid by euler alone")
+        need(integrator in ("euler", "split"), "this reader has no integrator %s" % shown(integrator), "take euler or split")
+        need(integrator == "euler" or not package.fillings, "this reader steps parts that are filled with fluid by euler alone", "take euler")
         self.integrator, self.time = integrator, 0.0
         self.rest = package.nodes["restPosition"]
         self.mass, self.fixed = package.nodes["mass"], set(package.fixedNodes["nodes"])
@@ -421,21 +497,21 @@ class Motion:
                        zip(rows(hinges["nodes"], 4), hinges["stiffness"], hinges["viscosity"])]
         law = package.stiffening or {"strain": math.inf, "factor": 1}
         self.stretch, self.more = 1 + law["strain"], law["factor"] - 1
-        self.fluids = [self.fluid(filling, parts_of(simulated_triangles(package))) for filling in package.fillings]
+        self.fluids = self.fluids_of(package)
         self.reset()
 
     def reset(self):
         self.positions, self.velocities, self.time = list(self.rest), [0.0] * len(self.rest), 0.0
 
-    def fluid(self, filling, parts):
-        need(filling["part"] < len(parts), "fills part %d of %d" % (filling["part"], len(parts)))
-        wall = parts[filling["part"]]
-        enclosed = volume(wall, self.rest)
-        need(enclosed, "fills a part that encloses nothing")
-        return wall, filling["stiffness"], enclosed
+    def fluids_of(self, package):
+        """Of each filling and pressure the wall and what it encloses, m³, the fluid's stiffness, Pa, and a pressure's path."""
+        presses = [(filling["part"], filling["stiffness"], [(0, 0)]) for filling in package.fillings]
+        presses += [(pressure["part"], 0, pressure["path"]) for pressure in package.pressures]
+        parts = parts_of(simulated_triangles(package)) if presses else []
+        return [(*wall_of(parts, part, self.rest), stiffness, path) for part, stiffness, path in presses]
 
-    def elastic_forces(self):
-        """N, x, y, z of every node: of springs, tethers, hinges and fluids."""
+    def inner_forces(self, begin, end):
+        """N, x, y, z of every node: of springs, tethers, hinges and fluids, with the mean of the pressures at two times, s."""
         p, f = self.positions, [0.0] * len(self.rest)
         for a, b, rest, constant in self.springs:
             x, y, z = p[a] - p[b], p[a + 1] - p[b + 1], p[a + 2] - p[b + 2]
@@ -453,11 +529,11 @@ class Motion:
                 f[i] -= constant * (p[i] - self.rest[i])
         for hinge in self.hinges:
             self.add(f, hinge.nodes, hinge.forces(p))
-        for wall, stiffness, enclosed in self.fluids:
-            pressure = stiffness * (enclosed - volume(wall, p)) / enclosed / 6
+        for wall, enclosed, stiffness, path in self.fluids:
+            pressure = stiffness * (enclosed - volume(wall, p)) / enclosed + (pressure_at(path, begin) + pressure_at(path, end)) / 2
             for nodes in wall:
                 a, b, c = (at(p, node) for node in nodes)
-                self.add(f, nodes, [scaled(pressure, cross(minus(b, a), minus(c, a)))] * 3)
+                self.add(f, nodes, [scaled(pressure / 6, cross(minus(b, a), minus(c, a)))] * 3)
         return f
 
     @staticmethod
@@ -483,12 +559,13 @@ class Motion:
         return f
 
     def step(self, h, forces={}, led={}, gravity=(0, 0, 0)):
-        """Moves on by `h` s. `forces`: N by node. `led`: by node, the place at the step's end, m. `gravity`: m/s²."""
+        """Moves on by `h` s. `forces`: N by node. `led`: by node, the place at the step's end, m; fixed nodes stay. `gravity`: m/s²."""
         p, v = self.positions, self.velocities
+        led = {node: place for node, place in led.items() if node not in self.fixed}
         for node, place in led.items():
             for axis in range(3):
                 v[3 * node + axis] = (place[axis] - p[3 * node + axis]) / h
-        f = self.elastic_forces()
+        f = self.inner_forces(self.time if self.integrator == "euler" else self.time + h, self.time + h)
         self.add(f, forces.keys(), list(forces.values()))
         given = {3 * node + axis for node in self.fixed | set(led) for axis in range(3)}
         masses = [mass for mass in self.mass for _ in range(3)]
@@ -500,7 +577,7 @@ class Motion:
                     v[i] += h * (pull[i] - damping[i]) / masses[i]
         else:
             self.solve(h, masses, [masses[i] * v[i] + h * pull[i] for i in range(len(v))], given)
-        self.positions = [place + h * speed for place, speed in zip(p, v)]
+        self.positions = [place + h * speed for place, speed in zip(p, self.velocities)]
         for node, place in led.items():
             self.positions[3 * node:3 * node + 3] = place
         self.time += h
@@ -518,17 +595,19 @@ class Motion:
 
         v = self.velocities
         left = free([b - a for a, b in zip(times(v), right)])
-        wanted = 1e-30 * product(free(right), free(right))
         way, size = [a / m for a, m in zip(left, masses)], product(left, left)
+        wanted = 1e-30 * max(size, product(free(right), free(right)))
         for _ in range(10 * len(v)):
-            if size <= wanted:
-                break
+            if size <= wanted < math.inf:
+                self.velocities = v
+                return
             change = free(times(way))
             share = size / sum(a * b for a, b in zip(way, change))
-            v[:] = [a + share * b for a, b in zip(v, way)]
+            v = [a + share * b for a, b in zip(v, way)]
             left = [a - share * b for a, b in zip(left, change)]
             before, size = size, product(left, left)
             way = [a / m + size / before * b for a, b, m in zip(left, way, masses)]
+        need(False, "a step of split did not converge", "take a shorter step")
 
 
 def smallest_rotation(first, second):
@@ -600,7 +679,8 @@ def main():
     groups = ("nodes", "springs", "tethers", "fixedNodes", "surface", "hinges", "binding", "sheet", "lattice")
     counts = {group: {key: len(values) for key, values in getattr(package, group).items()} for group in groups if getattr(package, group)}
     print(json.dumps({"name": package.name, "version": package.version, **counts, "stiffening": package.stiffening,
-                      "fillings": len(package.fillings), "drawn": len(package.drawn), "pictures": len(package.pictures)}))
+                      "fillings": len(package.fillings), "pressures": len(package.pressures), "drawn": len(package.drawn),
+                      "pictures": len(package.pictures)}))
     return 0
 
 

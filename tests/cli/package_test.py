@@ -10,6 +10,7 @@ from pathlib import Path
 
 from detail_test import surface
 from esmc import Case, command
+from reader_case import esm_package, json_of
 
 HERE = Path(__file__).parent
 SAID = {"title": "Leber „A“", "author": "A. N. Other", "date": "2026-05-17", "licence": "CC BY 4.0"}
@@ -24,6 +25,19 @@ def gltf_of(package):
     content = package.read_bytes()
     size, = struct.unpack_from("<I", content, 12)
     return json.loads(content[20:20 + size])
+
+
+def by_attributes(content):
+    """Of all primitives the triangles between surface vertices, and by vertex every place and mass that it is drawn with: without the extension."""
+    gltf, container, triangles, drawn = json_of(content)[0], esm_package.Container(content), [], {}
+    for primitive in (primitive for mesh in gltf["meshes"] for primitive in mesh["primitives"]):
+        attributes = primitive["attributes"]
+        vertices = [int(number) for number in container.numbers(attributes["_ESM_VERTEX"], "SCALAR")]
+        places = esm_package.rows(container.numbers(attributes["POSITION"], "VEC3"), 3)
+        for vertex, place, mass in zip(vertices, places, container.numbers(attributes["_ESM_MASS"], "SCALAR"), strict=True):
+            drawn.setdefault(vertex, []).append((place, mass))
+        triangles += esm_package.rows([vertices[corner] for corner in container.numbers(primitive["indices"], "SCALAR")], 3)
+    return triangles, drawn
 
 
 def has_validator():
@@ -70,6 +84,20 @@ class PackageTest(Case):
             self.assertIn(value, text)
         message = self.fails(2, "export", self.project, "--to", "vtp", "-o", self.file("a.vtp"), *words)
         self.assertIn("--title", message)
+
+    def test_attributes_alone_give_the_surface_and_its_masses(self):
+        for layout in ([], ["--layout", "charts"]):
+            self.imported()
+            self.done("texture", "pack", self.project, "--size", 512, *layout, "-o", self.project)
+            package = esm_package.read_package(self.exported())
+            triangles, drawn = by_attributes(self.package.read_bytes())
+            surface, mass = package.surface, package.nodes["mass"]
+            self.assertGreater(sum(map(len, drawn.values())), len(drawn), "no vertex is drawn twice")
+            self.assertEqual(sorted(triangles), sorted(esm_package.rows(surface["triangles"], 3)))
+            self.assertEqual(sorted(drawn), list(range(len(surface["vertexNodes"]))))
+            for vertex, shown in drawn.items():
+                self.assertEqual(set(shown), {(esm_package.at(surface["restPosition"], vertex), mass[surface["vertexNodes"][vertex]])})
+            self.assertAlmostEqual(sum(shown[0][1] for shown in drawn.values()) / sum(mass), 1, delta=1e-12)
 
     def test_nothing_of_a_package_comes_from_the_clock(self):
         self.imported()
