@@ -2,12 +2,12 @@
  *
  *     EsmError error;
  *     EsmPackage* package = esmOpenPackage("liver.glb", &error);
- *     if (!package) fprintf(stderr, "%s\n", error.text);
- *     EsmSimulation* simulation = esmMakeSimulation(package, NULL, &error);
- *     esmStep(simulation, 10, &error);
+ *     EsmSimulation* simulation = package ? esmMakeSimulation(package, NULL, &error) : NULL;
+ *     if (!simulation || esmStep(simulation, 10, &error) < 10) fprintf(stderr, "%s\n", error.text);
  *
  * Metres, kilograms, seconds, newtons. Nothing is shared between objects: each may live on a thread of its
  * own, one thread at a time. What can fail takes an `error`, which may be NULL; on success its text is empty.
+ * It refuses NULL for a package or a simulation. All else needs what was opened or made.
  * Arrays belong to the object that they are asked of. What the model's parts mean is said in
  * docs/model-package.md. */
 #ifndef ESM_PACKAGE_H
