@@ -49,11 +49,12 @@ py::list regionsOf(const Project& project) {
 } // namespace
 
 Scene sceneFrom(const py::object& given) {
-    const py::object text =
-        py::isinstance<py::str>(given) ? given : py::module_::import("json").attr("dumps")(given);
-    const Json json = Json::parse(text.cast<std::string>(), nullptr, false);
-    if (json.is_discarded()) throw InvalidModel("the scene is no JSON");
-    return sceneFromJson(json);
+    const py::object object =
+        py::isinstance<py::str>(given)
+            ? given
+            : py::module_::import("json").attr("dumps")(given, py::arg("allow_nan") = false);
+    const auto text = object.cast<std::string>();
+    return sceneFromJson(parseJson(text.data(), text.data() + text.size()));
 }
 
 void addProject(py::module_& module) {

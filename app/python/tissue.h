@@ -3,6 +3,8 @@
 #include "core/dynamics/contact/touched_surface.h"
 #include "core/exchange/package/packaged_tissue.h"
 
+#include <pybind11/pybind11.h>
+
 #include <memory>
 
 namespace esm::python {
@@ -20,5 +22,8 @@ struct Tissue {
 };
 
 Tissue tissueOf(PackagedTissue package);
+
+/// A dictionary: integrator, dt (s) and precision.
+pybind11::dict dictionaryOf(const Stepping& stepping);
 
 } // namespace esm::python
