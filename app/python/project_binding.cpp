@@ -28,8 +28,10 @@ Scene sceneOr(const py::object& given, const Project& project) {
 }
 
 Tissue evaluated(const Project& project, const py::object& scene) {
-    const auto model = std::make_shared<const TissueModel>(evaluateModel(project, sceneOr(scene, project)));
-    return {project.name, model, project.mesh, springValues(*model), project.stepping};
+    Scene held = sceneOr(scene, project);
+    const auto model = std::make_shared<const TissueModel>(evaluateModel(project, held));
+    return {
+        project.name, model, project.mesh, springValues(*model), project.stepping, std::move(held.pressures)};
 }
 
 py::list regionsOf(const Project& project) {

@@ -3,6 +3,7 @@
 #include "app/python/choices.h"
 #include "app/python/tissue.h"
 #include "core/dynamics/given_loads.h"
+#include "core/dynamics/measure/scene_loads.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/support/errors.h"
@@ -105,7 +106,7 @@ private:
         const std::size_t steps = [&] {
             const SetWhile stepping(m_isStepping);
             const py::gil_scoped_release others;
-            return m_simulation.advance(m_loads, wanted);
+            return advancePressed(m_simulation, m_loads, m_tissue->pressures, wanted);
         }();
         if (steps == wanted) return steps;
         PyErr_SetString(PyExc_ArithmeticError, m_simulation.failure().c_str());
@@ -182,10 +183,10 @@ void addLoads(py::class_<Run>& type) {
 } // namespace
 
 void addSimulation(py::module_& module) {
-    py::class_<Run> type(
-        module, "Simulation",
-        "Tissue that moves, from rest. One thread at a time: while one steps it, all else raises "
-        "ValueError.");
+    py::class_<Run> type(module, "Simulation",
+                         "Tissue that moves, from rest, under the pressures from within that it has. One "
+                         "thread at a time: while one steps it, all else raises "
+                         "ValueError.");
     type.def(py::init(&madeRun), py::arg("tissue"), py::arg("integrator") = py::none(),
              py::arg("time_step") = py::none(), py::arg("precision") = py::none(),
              py::arg("damping") = "isotropic", py::arg("threads") = 0,

@@ -17,6 +17,7 @@ struct Tissue {
     std::shared_ptr<const TriangleMesh> mesh;
     std::vector<SpringValues> springValues; ///< of the model
     std::optional<MeasuredStepping> stepping;
+    std::vector<PartPressure> pressures; ///< that press on its parts from within
 
     std::size_t nodeCount() const { return model->mass.size(); }
 };

@@ -146,8 +146,12 @@ py::dict dictionaryOf(const Stepping& stepping) {
 
 Tissue tissueOf(PackagedTissue package) {
     const auto model = std::make_shared<const TissueModel>(std::move(package.tissue));
-    return {std::move(package.name), model, std::make_shared<const TriangleMesh>(std::move(package.mesh)),
-            springValues(*model), std::move(package.stepping)};
+    return {std::move(package.name),
+            model,
+            std::make_shared<const TriangleMesh>(std::move(package.mesh)),
+            springValues(*model),
+            std::move(package.stepping),
+            std::move(package.pressures)};
 }
 
 void addTissue(py::module_& module) {

@@ -158,7 +158,8 @@ typedef struct EsmInstrument {
     double orientation[4]; /* unit quaternion w, x, y, z from its axes to the model's; all 0: not turned */
 } EsmInstrument;
 
-/* At rest, without loads. Takes as long as its matrices take to factorise. NULL on failure. */
+/* At rest, without loads but the pressures from within that the package has. Takes as long as its matrices
+ * take to factorise. NULL on failure. */
 EsmSimulation* esmMakeSimulation(const EsmPackage* package, const EsmSettings* settings, EsmError* error);
 /* NULL is ignored. */
 void esmFreeSimulation(EsmSimulation* simulation);

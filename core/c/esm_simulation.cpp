@@ -2,6 +2,7 @@
 #include "core/c/failure.h"
 #include "core/c/package_arrays.h"
 #include "core/dynamics/given_loads.h"
+#include "core/dynamics/measure/scene_loads.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/support/errors.h"
@@ -102,7 +103,7 @@ int placeInstruments(EsmSimulation& self, std::size_t count, const EsmInstrument
 }
 
 int stepOn(EsmSimulation& self, std::size_t count, EsmError* error) {
-    self.simulation.advance(self.loads, count);
+    advancePressed(self.simulation, self.loads, self.package->pressures, count);
     report(error, self.simulation.failure());
     return 1;
 }

@@ -119,6 +119,28 @@ TEST(EsmSimulation, BeginsAnewWhereLoadsChangeMidway) {
     }
 }
 
+TEST(EsmSimulation, ThePressuresOfAPackageAct) {
+    const OwnedPackage package = openedPackage(keptPackage("version-9-origin.glb"));
+    const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy("split2", 1e-3));
+    const PackagedTissue content = loadPackagedTissue(keptPackage("version-9-origin.glb"));
+    ASSERT_FALSE(content.pressures.empty());
+    SimulationSettings settings;
+    settings.integrator = Integrator::Split2;
+    settings.timeStep = 1e-3;
+    Simulation ours(content.tissue, settings);
+    EsmError error;
+    ASSERT_EQ(esmStep(simulation.get(), 20, &error), 20U) << error.text;
+    for (int i = 0; i < 20; ++i) {
+        Loads loads;
+        for (const PartPressure& pressure : content.pressures)
+            loads.pressures.push_back(
+                {pressure.part, pressureAt(pressure, ours.time()), pressureAt(pressure, ours.time() + 1e-3)});
+        ASSERT_TRUE(ours.step(loads));
+    }
+    EXPECT_EQ(points(esmPositionsOf(simulation.get()), ours.positions().size()), ours.positions());
+    EXPECT_NE(ours.positions(), content.tissue.network->restPositions);
+}
+
 TEST(EsmSimulation, IsSteppedAsRecommendedWhereAllIsLeftOpen) {
     Project project = makeSample("tube");
     const TemporaryFolder folder;
