@@ -282,18 +282,17 @@ bool takesRecommended(const SimulateOptions& options) {
 /// The recommended way to step, where tissue that may have changed since is still stable with it.
 SimulationSettings recommendedSettings(const RunnableModel& model, const SimulationSettings& settings,
                                        std::vector<std::string>& warnings) {
+    const SimulationSettings recommended = steppedAsRecommended(settings, model.tissue, model.stepping);
     const Stepping& stepping = model.stepping->stepping;
-    if (isStable(model.tissue, stepping)) {
-        if (isFromOtherTissue(*model.stepping, model.tissue))
-            warnings.push_back(
-                "the tissue has changed since its step was recommended: the error may be other than " +
-                inText(100 * model.stepping->error) + " %; measure again with tradeoff");
-        return withStepping(settings, stepping);
-    }
-    warnings.push_back("the recommended step of " + inText(stepping.timeStep) + " s is too long for " +
-                       integratorName(stepping.integrator) +
-                       " with the tissue as it is now; auto stepped it: measure again with tradeoff");
-    return settings;
+    if (!recommended.timeStep)
+        warnings.push_back("the recommended step of " + inText(stepping.timeStep) + " s is too long for " +
+                           integratorName(stepping.integrator) +
+                           " with the tissue as it is now; auto stepped it: measure again with tradeoff");
+    else if (isFromOtherTissue(*model.stepping, model.tissue))
+        warnings.push_back(
+            "the tissue has changed since its step was recommended: the error may be other than " +
+            inText(100 * model.stepping->error) + " %; measure again with tradeoff");
+    return recommended;
 }
 
 void append(std::vector<std::string>& list, const std::vector<std::string>& others) {

@@ -1,5 +1,6 @@
 #include "app/python/arrays.h"
 
+#include "core/dynamics/given_loads.h"
 #include "core/support/errors.h"
 
 namespace esm::python {
@@ -14,21 +15,15 @@ py::array_t<double> copiedPoints(const std::vector<Eigen::Vector3d>& points) {
 
 std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>
 vectorsByNode(const char* what, const NodeNumbers& nodes, const Vectors3& vectors, std::size_t nodeCount) {
-    const std::string name = what;
     if (nodes.ndim() != 1 || vectors.ndim() != 2 || vectors.shape(0) != nodes.shape(0) ||
         vectors.shape(1) != 3)
-        throw InvalidModel("n nodes are a list of n, and a " + name +
+        throw InvalidModel("n nodes are a list of n, and a " + std::string(what) +
                            " for each is an array of n rows of three numbers");
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> result;
     for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
-        const std::int64_t node = nodes.at(i);
         const Eigen::Vector3d vector(vectors.at(i, 0), vectors.at(i, 1), vectors.at(i, 2));
-        if (node < 0 || static_cast<std::uint64_t>(node) >= nodeCount)
-            throw InvalidModel("a " + name + " is for node " + std::to_string(node) + ", but there are " +
-                               std::to_string(nodeCount));
-        if (!vector.allFinite())
-            throw InvalidModel("the " + name + " for node " + std::to_string(node) + " is not a number");
-        result.emplace_back(static_cast<std::uint32_t>(node), vector);
+        result.emplace_back(static_cast<std::uint32_t>(nodes.at(i)),
+                            givenVector(what, nodes.at(i), vector, nodeCount));
     }
     return result;
 }

@@ -30,11 +30,12 @@ template<class Number> py::array sharedArray(const Number* first, const Rows& ro
     return array;
 }
 
-/// Of one member, or of neighbouring members, of all structs of a list.
+/// Of one member of all structs of a list, or of it and those of its kind that follow it.
 template<class Number, class Element>
-py::array sharedMember(const std::vector<Element>& elements, const Number* first, std::size_t width,
+py::array sharedMember(const std::vector<Element>& elements, Number Element::*first, std::size_t width,
                        py::handle owner) {
-    return sharedArray(elements.empty() ? nullptr : first, {elements.size(), width, sizeof(Element)}, owner);
+    const Number* const numbers = elements.empty() ? nullptr : &(elements.front().*first);
+    return sharedArray(numbers, {elements.size(), width, sizeof(Element)}, owner);
 }
 
 /// Of numbers.

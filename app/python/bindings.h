@@ -2,10 +2,12 @@
 
 #include <pybind11/pybind11.h>
 
-/// Each adds a part of the module `esm` for Python.
 namespace esm::python {
 
-void addErrors(pybind11::module_& module);
+/// Lets the core's exceptions come out as those of Python.
+void addErrors();
+
+// Each adds a part of the module `esm`.
 void addTissue(pybind11::module_& module);
 void addProject(pybind11::module_& module);
 void addSimulation(pybind11::module_& module);

@@ -10,8 +10,7 @@ Integrator chosenIntegrator(const std::string& name) {
 }
 
 Precision chosenPrecision(const std::string& name) {
-    for (const Precision precision : {Precision::Double, Precision::Float})
-        if (name == wordOf(precision)) return precision;
+    if (const auto found = fromWord<Precision>(name)) return *found;
     throw InvalidModel("precision is \"double\" or \"float\", not \"" + name + "\"");
 }
 

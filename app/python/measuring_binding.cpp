@@ -13,16 +13,8 @@ namespace py = pybind11;
 
 namespace {
 
-py::dict steppingInPython(const Stepping& stepping) {
-    py::dict entry;
-    entry["integrator"] = integratorName(stepping.integrator);
-    entry["dt"] = stepping.timeStep;
-    entry["precision"] = wordOf(stepping.precision);
-    return entry;
-}
-
 py::dict runInPython(const TradeoffRun& run) {
-    py::dict entry = steppingInPython(run.stepping);
+    py::dict entry = dictionaryOf(run.stepping);
     entry["stable"] = run.stable;
     entry["error"] = run.stable ? py::object(py::float_(run.error)) : py::none();
     entry["error_is_bound"] = run.isErrorBound;
@@ -39,7 +31,7 @@ py::dict inPython(const Tradeoff& tradeoff) {
     const auto chosen = [&](const std::optional<std::size_t>& place) -> py::object {
         return place ? py::object(runs[*place]) : py::none();
     };
-    py::dict reference = steppingInPython(tradeoff.reference.stepping), recommended, result;
+    py::dict reference = dictionaryOf(tradeoff.reference.stepping), recommended, result;
     reference["estimated_error"] = tradeoff.reference.estimatedError;
     recommended["real_time"] = chosen(tradeoff.bestInRealTime);
     recommended["max_error"] = chosen(tradeoff.fastestToError);

@@ -4,7 +4,7 @@
 
 namespace esm::python {
 
-void addErrors(pybind11::module_&) {
+void addErrors() {
     pybind11::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);
@@ -31,7 +31,7 @@ PYBIND11_MODULE(esm, module) {
     simulation.positions()                         # m, a row for each node
 
 Metres, kilograms, seconds, newtons. A file that cannot be read raises OSError, what cannot be done ValueError.)";
-    esm::python::addErrors(module);
+    esm::python::addErrors();
     esm::python::addTissue(module);
     esm::python::addProject(module);
     esm::python::addSimulation(module);

@@ -28,8 +28,10 @@ Scene sceneOr(const py::object& given, const Project& project) {
 }
 
 Tissue evaluated(const Project& project, const py::object& scene) {
-    const auto model = std::make_shared<const TissueModel>(evaluateModel(project, sceneOr(scene, project)));
-    return {project.name, model, project.mesh, springValues(*model), project.stepping};
+    Scene held = sceneOr(scene, project);
+    const auto model = std::make_shared<const TissueModel>(evaluateModel(project, held));
+    return {
+        project.name, model, project.mesh, springValues(*model), project.stepping, std::move(held.pressures)};
 }
 
 py::list regionsOf(const Project& project) {
@@ -49,11 +51,12 @@ py::list regionsOf(const Project& project) {
 } // namespace
 
 Scene sceneFrom(const py::object& given) {
-    const py::object text =
-        py::isinstance<py::str>(given) ? given : py::module_::import("json").attr("dumps")(given);
-    const Json json = Json::parse(text.cast<std::string>(), nullptr, false);
-    if (json.is_discarded()) throw InvalidModel("the scene is no JSON");
-    return sceneFromJson(json);
+    const py::object object =
+        py::isinstance<py::str>(given)
+            ? given
+            : py::module_::import("json").attr("dumps")(given, py::arg("allow_nan") = false);
+    const auto text = object.cast<std::string>();
+    return sceneFromJson(parseJson(text.data(), text.data() + text.size()));
 }
 
 void addProject(py::module_& module) {

@@ -41,17 +41,17 @@ void addSprings(TissueClass& type) {
     addArray(type, "springs", "both ends of each, shape (springs, 2)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& springs = tissue.model->network->springs;
-                 return sharedMember(springs, &springs.data()->first, 2, self);
+                 return sharedMember(springs, &Spring::first, 2, self);
              });
     addArray(type, "rest_lengths", "m, shape (springs,)", [](const Tissue& tissue, py::handle self) {
         const auto& springs = tissue.model->network->springs;
-        return sharedMember(springs, &springs.data()->restLength, 1, self);
+        return sharedMember(springs, &Spring::restLength, 1, self);
     });
     addArray(type, "spring_constants", "N/m, shape (springs,)", [](const Tissue& tissue, py::handle self) {
-        return sharedMember(tissue.springValues, &tissue.springValues.data()->springConstant, 1, self);
+        return sharedMember(tissue.springValues, &SpringValues::springConstant, 1, self);
     });
     addArray(type, "viscosities", "N·s/m, shape (springs,)", [](const Tissue& tissue, py::handle self) {
-        return sharedMember(tissue.springValues, &tissue.springValues.data()->viscosity, 1, self);
+        return sharedMember(tissue.springValues, &SpringValues::viscosity, 1, self);
     });
     type.def_property_readonly(
         "stiffening",
@@ -65,17 +65,17 @@ void addSprings(TissueClass& type) {
 void addTethers(TissueClass& type) {
     addArray(type, "tether_nodes", "shape (tethers,)", [](const Tissue& tissue, py::handle self) {
         const auto& tethers = tissue.model->tethers;
-        return sharedMember(tethers, &tethers.data()->node, 1, self);
+        return sharedMember(tethers, &Tether::node, 1, self);
     });
     addArray(type, "tether_spring_constants", "N/m, shape (tethers,)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& tethers = tissue.model->tethers;
-                 return sharedMember(tethers, &tethers.data()->springConstant, 1, self);
+                 return sharedMember(tethers, &Tether::springConstant, 1, self);
              });
     addArray(type, "tether_viscosities", "N·s/m, shape (tethers,)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& tethers = tissue.model->tethers;
-                 return sharedMember(tethers, &tethers.data()->viscosity, 1, self);
+                 return sharedMember(tethers, &Tether::viscosity, 1, self);
              });
 }
 
@@ -83,17 +83,18 @@ void addHinges(TissueClass& type) {
     addArray(type, "hinges", "both ends of the edge, then the corner on either side: shape (hinges, 4)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& hinges = tissue.model->hinges;
-                 return sharedMember(hinges, hinges.empty() ? nullptr : hinges.front().nodes.data(), 4, self);
+                 return sharedArray(hinges.empty() ? nullptr : hinges.front().nodes.data(),
+                                    {hinges.size(), 4, sizeof(Hinge)}, self);
              });
     addArray(type, "hinge_stiffnesses", "N·m for each radian, shape (hinges,)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& hinges = tissue.model->hinges;
-                 return sharedMember(hinges, &hinges.data()->stiffness, 1, self);
+                 return sharedMember(hinges, &Hinge::stiffness, 1, self);
              });
     addArray(type, "hinge_viscosities", "N·m·s for each radian, shape (hinges,)",
              [](const Tissue& tissue, py::handle self) {
                  const auto& hinges = tissue.model->hinges;
-                 return sharedMember(hinges, &hinges.data()->viscosity, 1, self);
+                 return sharedMember(hinges, &Hinge::viscosity, 1, self);
              });
 }
 
@@ -125,12 +126,32 @@ void addSurface(TissueClass& type) {
              });
 }
 
+py::object steppingOf(const Tissue& tissue) {
+    if (!tissue.stepping) return py::none();
+    py::dict entry = dictionaryOf(tissue.stepping->stepping);
+    entry["error"] = tissue.stepping->error;
+    entry["wall_per_simulated_s"] = tissue.stepping->wallPerSimulatedSecond;
+    return entry;
+}
+
 } // namespace
+
+py::dict dictionaryOf(const Stepping& stepping) {
+    py::dict entry;
+    entry["integrator"] = integratorName(stepping.integrator);
+    entry["dt"] = stepping.timeStep;
+    entry["precision"] = wordOf(stepping.precision);
+    return entry;
+}
 
 Tissue tissueOf(PackagedTissue package) {
     const auto model = std::make_shared<const TissueModel>(std::move(package.tissue));
-    return {std::move(package.name), model, std::make_shared<const TriangleMesh>(std::move(package.mesh)),
-            springValues(*model), std::move(package.stepping)};
+    return {std::move(package.name),
+            model,
+            std::make_shared<const TriangleMesh>(std::move(package.mesh)),
+            springValues(*model),
+            std::move(package.stepping),
+            std::move(package.pressures)};
 }
 
 void addTissue(py::module_& module) {
@@ -144,6 +165,11 @@ void addTissue(py::module_& module) {
     addTethers(type);
     addHinges(type);
     addSurface(type);
+    type.def_property_readonly(
+        "stepping", steppingOf,
+        "How its maker measured it to be stepped best, a dictionary: integrator, dt (s), "
+        "precision, error (relative to the motion), wall_per_simulated_s (on the machine "
+        "that measured). None where nothing was measured.");
     module.def(
         "load_package", [](const std::filesystem::path& file) { return tissueOf(loadPackagedTissue(file)); },
         py::arg("file"), "The Tissue of a model package (.glb). Raises OSError for one that is damaged.");

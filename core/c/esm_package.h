@@ -2,12 +2,12 @@
  *
  *     EsmError error;
  *     EsmPackage* package = esmOpenPackage("liver.glb", &error);
- *     if (!package) fprintf(stderr, "%s\n", error.text);
- *     EsmSimulation* simulation = esmMakeSimulation(package, NULL, &error);
- *     esmStep(simulation, 10, &error);
+ *     EsmSimulation* simulation = package ? esmMakeSimulation(package, NULL, &error) : NULL;
+ *     if (!simulation || esmStep(simulation, 10, &error) < 10) fprintf(stderr, "%s\n", error.text);
  *
  * Metres, kilograms, seconds, newtons. Nothing is shared between objects: each may live on a thread of its
  * own, one thread at a time. What can fail takes an `error`, which may be NULL; on success its text is empty.
+ * It refuses NULL for a package or a simulation. All else needs what was opened or made.
  * Arrays belong to the object that they are asked of. What the model's parts mean is said in
  * docs/model-package.md. */
 #ifndef ESM_PACKAGE_H
@@ -158,7 +158,8 @@ typedef struct EsmInstrument {
     double orientation[4]; /* unit quaternion w, x, y, z from its axes to the model's; all 0: not turned */
 } EsmInstrument;
 
-/* At rest, without loads. Takes as long as its matrices take to factorise. NULL on failure. */
+/* At rest, without loads but the pressures from within that the package has. Takes as long as its matrices
+ * take to factorise. NULL on failure. */
 EsmSimulation* esmMakeSimulation(const EsmPackage* package, const EsmSettings* settings, EsmError* error);
 /* NULL is ignored. */
 void esmFreeSimulation(EsmSimulation* simulation);

@@ -1,11 +1,14 @@
 #include "core/c/esm_package.h"
 #include "core/c/failure.h"
 #include "core/c/package_arrays.h"
+#include "core/dynamics/given_loads.h"
+#include "core/dynamics/measure/scene_loads.h"
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/stability/stability.h"
 #include "core/support/errors.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 struct EsmSimulation {
@@ -17,6 +20,17 @@ struct EsmSimulation {
 namespace esm {
 
 namespace {
+
+/// What a caller hands over, who may not have asked whether it could be opened or made.
+const EsmPackage& required(const EsmPackage* package) {
+    if (!package) throw InvalidModel("the package is NULL: it was not opened, esmOpenPackage says why");
+    return *package;
+}
+template<class Handed> Handed& required(Handed* simulation) {
+    if (!simulation)
+        throw InvalidModel("the simulation is NULL: it was not made, esmMakeSimulation says why");
+    return *simulation;
+}
 
 Integrator namedIntegrator(const char* name) {
     if (!name) return Integrator::Auto;
@@ -37,16 +51,10 @@ SimulationSettings settingsOf(const EsmSettings& asked) {
     return settings;
 }
 
-/// Where all is left open that a recommendation would say, and the recommended step is stable.
-bool takesRecommendation(const EsmSettings& asked, const PackagedTissue& package) {
-    return !asked.integrator && asked.timeStep == 0 && !asked.isSinglePrecision && !asked.dampsAxially &&
-           package.stepping && isStable(package.tissue, package.stepping->stepping);
-}
-
 SimulationSettings chosenSettings(const EsmSettings& asked, const PackagedTissue& package) {
     const SimulationSettings settings = settingsOf(asked);
-    return takesRecommendation(asked, package) ? withStepping(settings, package.stepping->stepping)
-                                               : settings;
+    const bool isOpen = !asked.integrator && asked.timeStep == 0 && !asked.isSinglePrecision;
+    return isOpen ? steppedAsRecommended(settings, package.tissue, package.stepping) : settings;
 }
 
 EsmSimulation* makeSimulation(const EsmPackage& from, const EsmSettings& asked) {
@@ -56,74 +64,46 @@ EsmSimulation* makeSimulation(const EsmPackage& from, const EsmSettings& asked) 
                                                  touchedSurface(package->mesh, *package->tissue.network))};
 }
 
-/// A vector for one of the nodes, from a caller who may have anything there. @param what "force"
-Eigen::Vector3d checkedVector(const EsmSimulation& self, const char* what, std::uint32_t node,
-                              const double* numbers) {
-    const std::size_t count = self.simulation.positions().size();
-    if (node >= count)
-        throw InvalidModel(std::string("a ") + what + " is for node " + std::to_string(node) +
-                           ", but there are " + std::to_string(count));
-    Eigen::Vector3d vector(numbers[0], numbers[1], numbers[2]);
-    if (!vector.allFinite())
-        throw InvalidModel(std::string("the ") + what + " for node " + std::to_string(node) +
-                           " is not a number");
-    return vector;
+std::size_t nodeCount(const EsmSimulation& self) {
+    return self.simulation.positions().size();
+}
+
+Eigen::Vector3d vectorAt(const double* numbers) {
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 int setForces(EsmSimulation& self, std::size_t count, const std::uint32_t* nodes, const double* forces) {
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> checked;
     checked.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
-        checked.emplace_back(nodes[i], checkedVector(self, "force", nodes[i], forces + 3 * i));
-    self.loads.beginsAnew = self.loads.beginsAnew || checked != self.loads.forces;
+        checked.emplace_back(nodes[i],
+                             givenVector("force", nodes[i], vectorAt(forces + 3 * i), nodeCount(self)));
     self.loads.forces = std::move(checked);
     return 1;
-}
-
-bool leadsOthers(const std::vector<PrescribedNode>& before, const std::vector<PrescribedNode>& now) {
-    return !std::equal(before.begin(), before.end(), now.begin(), now.end(),
-                       [](const auto& one, const auto& other) { return one.node == other.node; });
 }
 
 int leadNodes(EsmSimulation& self, std::size_t count, const std::uint32_t* nodes, const double* places) {
     std::vector<PrescribedNode> led;
     led.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
-        led.push_back({nodes[i], checkedVector(self, "place", nodes[i], places + 3 * i)});
-    self.loads.beginsAnew = self.loads.beginsAnew || leadsOthers(self.loads.prescribed, led);
+        led.push_back({nodes[i], givenVector("place", nodes[i], vectorAt(places + 3 * i), nodeCount(self))});
     self.loads.prescribed = std::move(led);
     return 1;
-}
-
-PlacedCollider colliderOf(const EsmInstrument& instrument) {
-    const auto& [w, x, y, z] = instrument.orientation;
-    const Eigen::Quaterniond turn = w == 0 && x == 0 && y == 0 && z == 0 ? Eigen::Quaterniond::Identity()
-                                                                         : Eigen::Quaterniond(w, x, y, z);
-    const Eigen::Vector3d place(instrument.place[0], instrument.place[1], instrument.place[2]);
-    const bool hasSize = instrument.radius > 0 && std::isfinite(instrument.radius) &&
-                         instrument.length >= 0 && std::isfinite(instrument.length);
-    if (!hasSize || !place.allFinite() || !std::isnormal(turn.squaredNorm()))
-        throw InvalidModel("an instrument has no place, no direction or no radius above 0");
-    const ColliderPose pose{place, turn.normalized()};
-    if (instrument.length > 0) return {Capsule{instrument.radius, instrument.length}, pose};
-    return {Sphere{instrument.radius}, pose};
 }
 
 int placeInstruments(EsmSimulation& self, std::size_t count, const EsmInstrument* instruments) {
     std::vector<PlacedCollider> placed;
     placed.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        placed.push_back(colliderOf(instruments[i]));
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto& [radius, length, place, orientation] = instruments[i];
+        placed.push_back(givenInstrument(i, {radius, length, vectorAt(place), std::to_array(orientation)}));
+    }
     self.loads.instruments = std::move(placed);
     return 1;
 }
 
-/// What a change of loads begins is begun by the first step alone.
 int stepOn(EsmSimulation& self, std::size_t count, EsmError* error) {
-    if (self.simulation.advance(self.loads, std::min<std::size_t>(count, 1)) == 1) {
-        self.loads.beginsAnew = false;
-        self.simulation.advance(self.loads, count - 1);
-    }
+    advancePressed(self.simulation, self.loads, self.package->pressures, count);
     report(error, self.simulation.failure());
     return 1;
 }
@@ -141,8 +121,9 @@ int writeDrawnVertices(const EsmSimulation& self, double* vertices) {
 } // namespace esm
 
 EsmSimulation* esmMakeSimulation(const EsmPackage* package, const EsmSettings* settings, EsmError* error) {
-    return esm::guarded(error, static_cast<EsmSimulation*>(nullptr),
-                        [&] { return esm::makeSimulation(*package, settings ? *settings : EsmSettings{}); });
+    return esm::guarded(error, static_cast<EsmSimulation*>(nullptr), [&] {
+        return esm::makeSimulation(esm::required(package), settings ? *settings : EsmSettings{});
+    });
 }
 
 void esmFreeSimulation(EsmSimulation* simulation) {
@@ -163,32 +144,33 @@ double esmTimeOf(const EsmSimulation* simulation) {
 
 int esmSetGravity(EsmSimulation* simulation, const double gravity[3], EsmError* error) {
     return esm::guarded(error, 0, [&] {
-        const Eigen::Vector3d asked(gravity[0], gravity[1], gravity[2]);
-        if (!asked.allFinite()) throw esm::InvalidModel("gravity is not a number");
-        simulation->loads.beginsAnew = simulation->loads.beginsAnew || asked != simulation->loads.gravity;
-        simulation->loads.gravity = asked;
+        esm::required(simulation).loads.gravity = esm::givenGravity(esm::vectorAt(gravity));
         return 1;
     });
 }
 
 int esmSetForces(EsmSimulation* simulation, size_t count, const uint32_t* nodes, const double* forces,
                  EsmError* error) {
-    return esm::guarded(error, 0, [&] { return esm::setForces(*simulation, count, nodes, forces); });
+    return esm::guarded(error, 0,
+                        [&] { return esm::setForces(esm::required(simulation), count, nodes, forces); });
 }
 
 int esmLeadNodes(EsmSimulation* simulation, size_t count, const uint32_t* nodes, const double* places,
                  EsmError* error) {
-    return esm::guarded(error, 0, [&] { return esm::leadNodes(*simulation, count, nodes, places); });
+    return esm::guarded(error, 0,
+                        [&] { return esm::leadNodes(esm::required(simulation), count, nodes, places); });
 }
 
 int esmPlaceInstruments(EsmSimulation* simulation, size_t count, const EsmInstrument* instruments,
                         EsmError* error) {
-    return esm::guarded(error, 0, [&] { return esm::placeInstruments(*simulation, count, instruments); });
+    return esm::guarded(error, 0,
+                        [&] { return esm::placeInstruments(esm::required(simulation), count, instruments); });
 }
 
 size_t esmStep(EsmSimulation* simulation, size_t count, EsmError* error) {
-    const double begin = simulation->simulation.time();
-    esm::guarded(error, 0, [&] { return esm::stepOn(*simulation, count, error); });
+    const double begin = simulation ? simulation->simulation.time() : 0;
+    esm::guarded(error, 0, [&] { return esm::stepOn(esm::required(simulation), count, error); });
+    if (!simulation) return 0;
     return static_cast<size_t>(
         std::llround((simulation->simulation.time() - begin) / simulation->simulation.timeStep()));
 }
@@ -210,7 +192,8 @@ const double* esmVelocitiesOf(const EsmSimulation* simulation) {
 }
 
 int esmDrawnVertices(const EsmSimulation* simulation, double* vertices, EsmError* error) {
-    return esm::guarded(error, 0, [&] { return esm::writeDrawnVertices(*simulation, vertices); });
+    return esm::guarded(error, 0,
+                        [&] { return esm::writeDrawnVertices(esm::required(simulation), vertices); });
 }
 
 void esmInstrumentImpulse(const EsmSimulation* simulation, size_t instrument, double impulse[3]) {

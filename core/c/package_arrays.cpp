@@ -102,6 +102,7 @@ void PackageArrays::addBinding() {
 
 void PackageArrays::addFillings() {
     for (const Cavity& cavity : m_package->tissue.cavities) {
+        if (cavity.stiffness == 0) continue; // only pressed on from within
         m_filledParts.push_back(cavity.part);
         m_fillingStiffnesses.push_back(cavity.stiffness);
     }

@@ -1,35 +1,13 @@
 #include "core/exchange/provenance.h"
 
 #include "core/support/offenders.h"
+#include "core/support/text_line.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <chrono>
 
 namespace esm {
 
 namespace {
-
-bool isUtf8(const std::string& text) {
-    try {
-        nlohmann::json(text).dump();
-        return true;
-    } catch (const nlohmann::json::type_error&) {
-        return false;
-    }
-}
-
-/// Empty when it is a line of text.
-std::string lineProblem(const std::string& text) {
-    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7F'; };
-    if (text.size() > longestStatement)
-        return "must have at most " + std::to_string(longestStatement) + " bytes";
-    if (!isUtf8(text)) return "must be UTF-8 text";
-    if (std::any_of(text.begin(), text.end(), isControl))
-        return "must be one line without control characters";
-    return {};
-}
 
 /// Whether it is 2026, 2026-05 or 2026-05-17, as ISO 8601 and XMP write dates, and in the calendar.
 bool isDate(const std::string& text) {
@@ -51,7 +29,7 @@ bool isDate(const std::string& text) {
 std::vector<std::string> validate(const Authorship& authorship) {
     std::vector<std::string> problems;
     forEachField(fieldsOf<Authorship>, [&](const auto& field) {
-        const std::string problem = lineProblem(authorship.*field.member);
+        const std::string problem = lineProblem(authorship.*field.member, longestStatement);
         if (!problem.empty()) problems.push_back(std::string("the ") + field.key + " " + problem);
     });
     if (!authorship.date.empty() && !isDate(authorship.date))
@@ -61,6 +39,8 @@ std::vector<std::string> validate(const Authorship& authorship) {
 
 std::vector<std::string> validate(const Provenance& provenance) {
     std::vector<std::string> problems = validate(provenance.authorship);
+    if (const std::string problem = lineProblem(provenance.program, longestStatement); !problem.empty())
+        problems.push_back("the program " + problem);
     if (provenance.source) addUnder(problems, "source", validate(*provenance.source));
     return problems;
 }

@@ -1,13 +1,15 @@
 // Pokes an organ in Bullet and here, and says how far it goes another way there.
 //
-//     esm_in_bullet ORGAN.glb NODE FX FY FZ [SECONDS [STEP]]     a force on a node, N, for half of the time,
-//     s
+//     esm_in_bullet ORGAN.glb NODE FX FY FZ [SECONDS [STEP]]
+//
+// A force on a node, N, for half of the time, s.
 #include "bullet_organ.h"
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <stdexcept>
 
 namespace {
 
@@ -15,11 +17,15 @@ class OurOrgan {
 public:
     OurOrgan(const EsmPackage* package, double timeStep) : m_numbers(3 * esmModelOf(package)->nodes.count) {
         const EsmSettings settings{"split2", timeStep, 0, 0, 1};
-        m_simulation.reset(esmMakeSimulation(package, &settings, nullptr));
+        EsmError error;
+        m_simulation.reset(esmMakeSimulation(package, &settings, &error));
+        if (!m_simulation) throw std::runtime_error(error.text);
     }
     void step(double, const Poke& poke, bool acts) {
-        esmSetForces(m_simulation.get(), acts, &poke.node, poke.force, nullptr);
-        esmStep(m_simulation.get(), 1, nullptr);
+        EsmError error;
+        if (!esmSetForces(m_simulation.get(), acts, &poke.node, poke.force, &error) ||
+            esmStep(m_simulation.get(), 1, &error) < 1)
+            throw std::runtime_error(error.text);
     }
     Positions positions() const {
         const double* const first = esmPositionsOf(m_simulation.get());
@@ -59,18 +65,17 @@ double difference(const std::vector<Positions>& motion, const std::vector<Positi
     return 100 * std::sqrt(off / moved);
 }
 
-} // namespace
-
-int main(int count, char** words) {
-    EsmError error{};
+/// What the command line says of a poke. @throws std::runtime_error
+Poke pokeOf(int count, char** words, size_t nodes) {
     const auto number = [&](int i, double otherwise) { return count > i ? std::atof(words[i]) : otherwise; };
-    const Poke poke{
-        uint32_t(number(2, 0)), {number(3, 0), number(4, 0), number(5, 0)}, number(6, 0.5), number(7, 1e-3)};
-    const EsmPackage* const package =
-        esmOpenPackage(count > 5 ? words[1] : nullptr, &error); // until the program ends
-    const char* problem = package ? obstacle(*esmModelOf(package)) : error.text;
-    if (!problem && poke.node >= esmModelOf(package)->nodes.count) problem = "there is no such node";
-    if (problem) return std::fprintf(stderr, "%s\n", problem), 1;
+    const double node = number(2, 0), seconds = number(6, 0.5), step = number(7, 1e-3);
+    if (!(node >= 0 && node < double(nodes))) throw std::runtime_error("there is no such node");
+    if (!(seconds > 0 && step > 0 && seconds / step < 1e6))
+        throw std::runtime_error("SECONDS and STEP must be above 0, and be less than a million steps");
+    return {uint32_t(node), {number(3, 0), number(4, 0), number(5, 0)}, seconds, step};
+}
+
+void compare(const EsmPackage* package, const Poke& poke) {
     const EsmModel& model = *esmModelOf(package);
     const int steps = std::max(1, int(std::lround(poke.seconds / 50 / poke.step)));
     const auto ours = [&](const char* name, int finer) {
@@ -81,4 +86,19 @@ int main(int count, char** words) {
     const double* const rest = model.nodes.restPositions;
     std::printf("off by %.3g %% of the motion, ours by %.3g %%\n", difference(bullet, reference, rest),
                 difference(like, reference, rest));
+}
+
+} // namespace
+
+int main(int count, char** words) try {
+    if (count < 6) throw std::runtime_error("esm_in_bullet ORGAN.glb NODE FX FY FZ [SECONDS [STEP]]");
+    EsmError error;
+    const std::unique_ptr<EsmPackage, decltype(&esmFreePackage)> package(esmOpenPackage(words[1], &error),
+                                                                         &esmFreePackage);
+    if (!package) throw std::runtime_error(error.text);
+    const EsmModel& model = *esmModelOf(package.get());
+    if (const char* problem = obstacle(model)) throw std::runtime_error(problem);
+    compare(package.get(), pokeOf(count, words, model.nodes.count));
+} catch (const std::exception& problem) {
+    return std::fprintf(stderr, "%s\n", problem.what()), 1;
 }

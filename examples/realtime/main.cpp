@@ -20,12 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double frame = 1.0 / 60; // s
 
-/// What the organ's maker measured, where that is stable; else the library chooses.
-esm::SimulationSettings settingsFor(const esm::PackagedTissue& package) {
-    const bool isKnown = package.stepping && esm::isStable(package.tissue, package.stepping->stepping);
-    return isKnown ? esm::withStepping({}, package.stepping->stepping) : esm::SimulationSettings{};
-}
-
 /// A ball a tenth as wide as the organ, that comes from beyond its largest x and pushes a tenth of its width
 /// into it.
 class Instrument {
@@ -69,7 +63,8 @@ void showPicture(const esm::PackagedTissue& package, const esm::Simulation& simu
 }
 
 int run(const esm::PackagedTissue& package, double seconds) {
-    esm::Simulation simulation(package.tissue, settingsFor(package),
+    esm::Simulation simulation(package.tissue,
+                               esm::steppedAsRecommended({}, package.tissue, package.stepping),
                                esm::touchedSurface(package.mesh, *package.tissue.network));
     std::printf("%s: %zu nodes, %s in steps of %g s\n", package.name.c_str(), simulation.positions().size(),
                 esm::integratorName(simulation.integrator()), simulation.timeStep());

@@ -107,6 +107,28 @@ class ModuleTest(Case):
         self.assertLess(numpy.mean(simulation.velocities()[:, 1]), 0)
         self.assertEqual(simulation.gravity, [0, -9.81, 0])
 
+    def test_an_instrument_pushes_and_feels_the_tissue(self):
+        tissue = esm.load_package(self.exported())
+        simulation, low, high = esm.Simulation(tissue, "split", 1e-3), tissue.rest_positions.min(0), tissue.rest_positions.max(0)
+        radius, place = 0.2 * (high - low)[0], (low + high) / 2
+        for step in range(100):
+            place[0] = high[0] + radius * (1.05 - 0.005 * step)
+            simulation.place_instruments([esm.Instrument(radius, place)])
+            simulation.step()
+        self.assertGreater(numpy.linalg.norm(simulation.vertices() - place, axis=1).min(), 0.99 * radius)
+        self.assertGreater(simulation.instrument_impulse()[0], 0)
+        self.assertEqual(list(simulation.instrument_impulse(1)), [0, 0, 0])
+
+    def test_steps_as_is_recommended(self):
+        project = self.sample("tube")
+        self.assertIsNone(esm.load_package(self.exported(project=project)).stepping)
+        self.done("tradeoff", project, "--scene", self.file("scene.json", {**HELD, **PULL}), "--max-seconds", "0.5", "--max-error",
+                  "0.02", "-o", project)
+        tissue = esm.load_package(self.exported(project=project))
+        run = esm.Simulation(tissue)
+        self.assertEqual((run.integrator, run.time_step), (tissue.stepping["integrator"], tissue.stepping["dt"]))
+        self.assertNotEqual(esm.Simulation(tissue, "auto").time_step, run.time_step)
+
     def test_several_run_at_once(self):
         tissue, ends = esm.load_package(self.exported()), {}
 
@@ -123,6 +145,30 @@ class ModuleTest(Case):
             thread.join()
         self.assertEqual(len(ends), 3)
         self.assertTrue(all(end == ends[0] for end in ends.values()))
+
+    def test_refuses_other_threads_while_it_steps(self):
+        run = esm.Simulation(esm.load_package(self.exported()), "split2", 1e-3)
+        asks = (run.positions, run.velocities, run.vertices, run.step, run.reset, lambda: run.time, lambda: run.gravity,
+                run.instrument_impulse, lambda: run.place_instruments([]),
+                lambda: setattr(run, "gravity", (0, 0, 0)), lambda: run.set_forces([85], [[0, 0, -1]]),
+                lambda: run.lead([], numpy.zeros((0, 3))))
+        thread = threading.Thread(target=run.step, args=(20000,))
+        thread.start()
+        while thread.is_alive() and not self.refusal_of(lambda: run.time):
+            pass
+        refusals = [self.refusal_of(ask) for ask in asks]
+        thread.join()
+        self.assertEqual(refusals, ["another thread steps this simulation; wait for it, or make one for each thread"] * len(asks))
+        self.assertAlmostEqual(run.time, 20)
+        self.assertEqual([self.refusal_of(ask) for ask in asks], [""] * len(asks))
+
+    @staticmethod
+    def refusal_of(ask):
+        try:
+            ask()
+        except ValueError as refusal:
+            return str(refusal)
+        return ""
 
     def test_measures_error_against_cost(self):
         tissue = esm.load_project(self.sample("tube")).evaluate(HELD)
@@ -146,11 +192,14 @@ class ModuleTest(Case):
                 (ValueError, "step", lambda: esm.Simulation(tissue, "euler", -1)),
                 (ValueError, "node 4096", lambda: simulation.set_forces([4096], [[0, 0, 0]])),
                 (ValueError, "node -1", lambda: simulation.lead([-1], [[0, 0, 0]])),
-                (ValueError, "not a number", lambda: simulation.set_forces([1], [[0, float("nan"), 0]])),
+                (ValueError, "not finite", lambda: simulation.set_forces([1], [[0, float("nan"), 0]])),
                 (ValueError, "rows of three", lambda: simulation.set_forces([1, 2], [[0, 0, 0]])),
                 (ValueError, "gravity", lambda: setattr(simulation, "gravity", (0, float("inf"), 0))),
                 (ValueError, "durations", lambda: project.evaluate({"durations": 1})),
                 (ValueError, "JSON", lambda: project.evaluate("{")),
+                (ValueError, "twice", lambda: project.evaluate('{"duration": 1, "duration": 2}')),
+                (ValueError, "JSON compliant", lambda: project.evaluate({"duration": float("nan")})),
+                (ValueError, "instrument 0: its radius", lambda: simulation.place_instruments([esm.Instrument(-1, (0, 0, 0))])),
                 (ValueError, "fixed", lambda: esm.measure(tissue, {"duration": 1, "fixed": [{"nodes": [1]}]}))):
             with self.subTest(words=words), self.assertRaisesRegex(kind, words):
                 work()
@@ -163,7 +212,7 @@ class ModuleTest(Case):
         self.assertTrue(numpy.isfinite(simulation.positions()).all())
 
     def test_explains_itself(self):
-        for thing in (esm, esm.Tissue, esm.Project, esm.Simulation, esm.measure, esm.load_package, esm.load_project):
+        for thing in (esm, esm.Tissue, esm.Project, esm.Simulation, esm.Instrument, esm.measure, esm.load_package, esm.load_project):
             self.assertTrue(thing.__doc__.strip())
 
 

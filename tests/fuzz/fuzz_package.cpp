@@ -1,10 +1,13 @@
 #include "core/exchange/model_package.h"
 #include "core/exchange/package/glb.h"
 #include "core/support/byte_order.h"
+#include "core/support/checksum.h"
 #include "core/support/errors.h"
 #include "tests/fuzz/fuzz_target.h"
 #include "tests/fuzz/json_input.h"
 #include "tests/fuzz/mutation.h"
+
+#include <algorithm>
 
 namespace esm::fuzz {
 
@@ -20,7 +23,7 @@ std::vector<Bytes> chunksOf(const Bytes& glb) {
     }
 }
 
-/// What is changed would only be found by them.
+/// What is changed would be found by them alone.
 Bytes withoutChecksums(const Bytes& text) {
     const auto springMass = "/extensions/ESM_spring_mass"_json_pointer;
     try {
@@ -31,6 +34,25 @@ Bytes withoutChecksums(const Bytes& text) {
         return {changed.begin(), changed.end()};
     } catch (const InvalidModel&) {
         return text;
+    }
+}
+
+/// Lets the sum of the JSON, the last of the sums, fit: the others are looked at behind it.
+void fitSumOfJson(std::vector<Bytes>& chunks) {
+    while (chunks[0].size() % 4 != 0)
+        chunks[0].push_back(' ');
+    try {
+        const nlohmann::ordered_json json = jsonFrom(chunks[0]);
+        const nlohmann::ordered_json& sums = json.at("bufferViews").back();
+        const std::size_t end =
+            sums.at("byteOffset").get<std::size_t>() + sums.at("byteLength").get<std::size_t>();
+        Bytes sum;
+        appendLittleEndian(sum, checksumOf(chunks[0].data(), chunks[0].size()));
+        if (end >= sum.size() && end <= chunks[1].size())
+            std::copy(sum.begin(), sum.end(),
+                      chunks[1].begin() + static_cast<std::ptrdiff_t>(end - sum.size()));
+    } catch (const std::exception&) {
+        return; // there is no place for it
     }
 }
 
@@ -75,14 +97,17 @@ void readInput(const Bytes& content) {
 
 } // namespace esm::fuzz
 
-/// Changes the JSON or the binary data inside, as most changes of the file itself leave it no package.
+/// Changes the JSON or the binary data inside, as most changes of the file itself leave it no package; every
+/// second time without check sums.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
                                                unsigned seed) {
     const esm::fuzz::FuzzedInput input{{data, most}, size, seed};
     std::vector<esm::Bytes> chunks = esm::fuzz::chunksOf(input.content());
     if (chunks.empty() || seed % 16 == 0) return input.mutated();
-    chunks[0] = esm::fuzz::withoutChecksums(chunks[0]);
+    const bool hasChecksums = seed / 16 % 2 == 0;
+    if (!hasChecksums) chunks[0] = esm::fuzz::withoutChecksums(chunks[0]);
     esm::Bytes& chunk = chunks[seed % 16 < 12 ? 0 : 1];
-    chunk = esm::fuzz::mutatedPart(std::move(chunk), seed / 16);
+    chunk = esm::fuzz::mutatedPart(std::move(chunk), seed / 32);
+    if (hasChecksums) esm::fuzz::fitSumOfJson(chunks);
     return input.replacedBy(esm::fuzz::glbOf(chunks));
 }

@@ -25,8 +25,9 @@ seeds_of() {
 }
 
 fuzz() {
-  local kind=$1 log=build/fuzz/$1.txt seeds
-  mapfile -t seeds < <(seeds_of "$kind")
+  local kind=$1 log=build/fuzz/$1.txt list seeds
+  list=$(seeds_of "$kind") || return 1
+  mapfile -t seeds <<<"$list"
   mkdir -p "build/fuzz/corpus/$kind" build/fuzz/findings
   if build/fuzz/bin/"fuzz_$kind" -seed="$SEED" -max_total_time="$SECONDS_EACH" -timeout=20 -print_final_stats=1 \
     -dict="tests/fuzz/dictionaries/$kind.dict" -artifact_prefix="build/fuzz/findings/$kind-" \

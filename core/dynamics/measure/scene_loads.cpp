@@ -1,5 +1,7 @@
 #include "core/dynamics/measure/scene_loads.h"
 
+#include "core/dynamics/simulation.h"
+
 #include <algorithm>
 
 namespace esm {
@@ -21,6 +23,28 @@ double shareOf(const NodeForce& force, double start, double end) {
 
 } // namespace
 
+std::vector<CavityPressure> pressuresDuring(const std::vector<PartPressure>& pressures, double start,
+                                            double end) {
+    std::vector<CavityPressure> during;
+    for (const PartPressure& pressure : pressures)
+        during.push_back({pressure.part, pressureAt(pressure, start), pressureAt(pressure, end)});
+    return during;
+}
+
+std::size_t advancePressed(Simulation& simulation, Loads loads, const std::vector<PartPressure>& pressures,
+                           std::size_t count) {
+    const std::size_t together = std::all_of(pressures.begin(), pressures.end(), isConstant) ? count : 1;
+    std::size_t taken = 0;
+    while (taken < count) {
+        const double begin = simulation.time();
+        loads.pressures = pressuresDuring(pressures, begin, begin + simulation.timeStep());
+        const std::size_t steps = simulation.advance(loads, together);
+        taken += steps;
+        if (steps < together) break;
+    }
+    return taken;
+}
+
 Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, double start, double end) {
     Loads loads;
     loads.gravity = scene.gravity;
@@ -30,8 +54,7 @@ Loads loadsDuring(const Scene& scene, const std::vector<Eigen::Vector3d>& rest, 
     for (const NodeMove& move : scene.moves)
         if (move.node < rest.size())
             loads.prescribed.push_back({move.node, rest[move.node] + positionAt(move.path, end)});
-    for (const PartPressure& pressure : scene.pressures)
-        loads.pressures.push_back({pressure.part, pressureAt(pressure, start), pressureAt(pressure, end)});
+    loads.pressures = pressuresDuring(scene.pressures, start, end);
     for (const InstrumentMotion& instrument : scene.instruments)
         loads.instruments.push_back(placedAt(instrument, end));
     return loads;

@@ -124,6 +124,13 @@ bool isStable(const TissueModel& model, const Stepping& stepping) {
     return schemeOf(stepping.integrator).largestStable(tissue, step).value_or(0) >= step * (1 - 1e-9);
 }
 
+SimulationSettings steppedAsRecommended(const SimulationSettings& settings, const TissueModel& model,
+                                        const std::optional<MeasuredStepping>& recommended) {
+    const bool isOfThisKind = settings.damping == Damping::Isotropic && settings.restTolerance == 0;
+    if (!recommended || !isOfThisKind || !isStable(model, recommended->stepping)) return settings;
+    return withStepping(settings, recommended->stepping);
+}
+
 double largestAngularFrequency(const TissueModel& model) {
     return TissueSpectrum(makeSpringSystem(model), Damping::Isotropic, {1e-3, Deformation::AtRest, {}})
         .largestAngularFrequency();

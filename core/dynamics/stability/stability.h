@@ -27,6 +27,12 @@ CriticalSteps criticalSteps(const TissueModel& model, Damping damping = Damping:
 /// Whether a step is within the limit at any deformation, with isotropic damping. @throws InvalidModel
 bool isStable(const TissueModel& model, const Stepping& stepping);
 
+/// Settings that leave integrator, step and precision open, with those that were recommended for the tissue,
+/// where they are stable with it as it is now; else the same settings. What was measured is isotropic damping
+/// of the whole tissue: other settings stay as they are. @throws InvalidModel
+SimulationSettings steppedAsRecommended(const SimulationSettings& settings, const TissueModel& model,
+                                        const std::optional<MeasuredStepping>& recommended);
+
 /// Of small oscillations about rest without damping, the largest angular frequency, rad/s.
 /// @throws InvalidModel
 double largestAngularFrequency(const TissueModel& model);

@@ -4,6 +4,7 @@
 #include "core/exchange/meshes/mesh_stream.h"
 #include "core/support/errors.h"
 #include "core/support/sha256.h"
+#include "core/support/text_line.h"
 
 namespace esm {
 
@@ -33,7 +34,7 @@ PolygonSoup readMeshFile(const fs::path& file, const Progress& progress) {
 MeshSource meshSourceOf(const fs::path& file, const Progress& progress) {
     ProgressParts parts(progress);
     const Bytes content = readFile(file, largestFile, parts.next(0.2));
-    return {file.filename().string(), sha256Of(content, parts.rest())};
+    return {asLine(file.filename().string()), sha256Of(content, parts.rest())};
 }
 
 Eigen::Matrix3d turnedUp(UpAxis up) {

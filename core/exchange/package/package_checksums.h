@@ -13,8 +13,9 @@ std::size_t addChecksums(GltfArrays& arrays);
 /// Fills that array in. Precondition: it was added, and nothing of the file changes any more.
 void fillChecksums(Glb& glb);
 
-/// The buffer views whose bytes are others than were written; none of files of before there were check sums.
-/// A damaged JSON, which could name any bytes, is added to the problems, as check sums that are none are.
+/// The buffer views whose bytes are others than were written, the first 20 of them; none of files of before
+/// there were check sums. Problems: a damaged JSON, since it could name any bytes, check sums that cannot be
+/// read, and views that overlap.
 /// @param file that the GLB was parsed from
 std::vector<std::size_t> damagedViews(const Bytes& file, const Glb& glb, std::vector<std::string>& problems);
 

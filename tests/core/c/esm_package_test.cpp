@@ -1,8 +1,10 @@
 #include "core/c/esm_package.h"
 
+#include "core/exchange/package/glb.h"
 #include "core/samples/samples.h"
 #include "tests/core/c/opened_package.h"
 #include "tests/core/exchange/export_package.h"
+#include "tests/core/exchange/overwrite.h"
 #include "tests/support/samples.h"
 #include "tests/support/temporary_folder.h"
 
@@ -97,7 +99,17 @@ void expectSameModel(const EsmModel& model, const PackagedTissue& content) {
     expectSameSprings(model.springs, content.tissue);
     expectSameCarrying(model, content);
     EXPECT_EQ(model.stiffening.strain > 0, content.tissue.stiffening.has_value());
-    EXPECT_EQ(model.fillings.count, content.tissue.cavities.size());
+}
+
+/// As the file has them, which names parts that are only pressed on elsewhere.
+void expectSameFillings(const EsmFillings& fillings, const std::filesystem::path& file) {
+    const auto json = parseGlb(readFile(file)).json["extensions"]["ESM_spring_mass"];
+    const auto written = json.value("fillings", nlohmann::ordered_json::array());
+    ASSERT_EQ(fillings.count, written.size());
+    for (std::size_t i = 0; i < fillings.count; ++i) {
+        EXPECT_EQ(fillings.parts[i], written[i]["part"]);
+        EXPECT_EQ(fillings.stiffnesses[i], written[i]["stiffness"]);
+    }
 }
 
 TEST(EsmPackage, HoldsWhatTheFileHolds) {
@@ -108,6 +120,7 @@ TEST(EsmPackage, HoldsWhatTheFileHolds) {
         ASSERT_TRUE(package);
         const EsmModel& model = *esmModelOf(package.get());
         expectSameModel(model, loadPackagedTissue(file));
+        expectSameFillings(model.fillings, file);
         lattices += model.lattice.tetrahedronCount;
         bindings += model.binding.vertexCount;
         fillings += model.fillings.count;
@@ -126,6 +139,19 @@ TEST(EsmPackage, HoldsHinges) {
     ASSERT_TRUE(package);
     EXPECT_GT(esmModelOf(package.get())->hinges.count, 0U);
     expectSameModel(*esmModelOf(package.get()), loadPackagedTissue(folder / "bending.glb"));
+}
+
+TEST(EsmPackage, APartThatIsOnlyPressedOnIsNotFilled) {
+    Glb glb = parseGlb(readFile(keptPackage("version-9-origin.glb")));
+    auto& extension = glb.json["extensions"]["ESM_spring_mass"];
+    extension.erase("fillings");
+    extension.erase("checksums");
+    const TemporaryFolder folder;
+    overwrite(folder / "pressed.glb", writeGlb(glb));
+    ASSERT_EQ(loadPackagedTissue(folder / "pressed.glb").tissue.cavities.size(), 1U);
+    const OwnedPackage package = openedPackage(folder / "pressed.glb");
+    ASSERT_TRUE(package);
+    expectSameFillings(esmModelOf(package.get())->fillings, folder / "pressed.glb");
 }
 
 TEST(EsmPackage, SaysWhyAFileIsRefused) {

@@ -1,6 +1,9 @@
 #include "core/dynamics/simulation.h"
+#include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/core/c/opened_package.h"
+#include "tests/core/exchange/export_package.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -73,6 +76,109 @@ TEST(EsmSimulation, MovesAsTheLibraryInCppDoes) {
     }
 }
 
+// Steps of some integrators build on those before, which were taken under other loads.
+TEST(EsmSimulation, BeginsAnewWhereLoadsChangeMidway) {
+    const std::uint32_t pulled = 5;
+    const Eigen::Vector3d force(0, 0, -0.01), gravity(0, -9.81, 0);
+    for (const auto& [name, integrator] :
+         {std::pair("bdf2", Integrator::Bdf2), {"split2", Integrator::Split2}}) {
+        SCOPED_TRACE(name);
+        const OwnedPackage package = openedPackage(keptPackage(hollow));
+        const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy(name, 1e-3));
+        const PackagedTissue content = loadPackagedTissue(keptPackage(hollow));
+        SimulationSettings settings;
+        settings.integrator = integrator;
+        settings.timeStep = 1e-3;
+        Simulation ours(content.tissue, settings);
+        Loads loads;
+        EsmError error;
+        const auto expectSameSteps = [&] {
+            ASSERT_EQ(esmStep(simulation.get(), 10, &error), 10U) << error.text;
+            loads.beginsAnew = true;
+            ASSERT_TRUE(ours.step(loads));
+            loads.beginsAnew = false;
+            ASSERT_EQ(ours.advance(loads, 9), 9U);
+            EXPECT_EQ(points(esmPositionsOf(simulation.get()), ours.positions().size()), ours.positions());
+        };
+        loads.forces = {{pulled, force}};
+        ASSERT_TRUE(esmSetForces(simulation.get(), 1, &pulled, force.data(), &error));
+        expectSameSteps();
+        loads.gravity = gravity;
+        ASSERT_TRUE(esmSetGravity(simulation.get(), gravity.data(), &error));
+        expectSameSteps();
+        const Eigen::Vector3d place = ours.positions()[7];
+        loads.prescribed = {{7, place}};
+        const std::uint32_t led = 7;
+        ASSERT_TRUE(esmLeadNodes(simulation.get(), 1, &led, place.data(), &error));
+        expectSameSteps();
+        loads.prescribed.clear();
+        loads.forces.clear();
+        ASSERT_TRUE(esmLeadNodes(simulation.get(), 0, nullptr, nullptr, &error));
+        ASSERT_TRUE(esmSetForces(simulation.get(), 0, nullptr, nullptr, &error));
+        expectSameSteps();
+    }
+}
+
+TEST(EsmSimulation, ThePressuresOfAPackageAct) {
+    const OwnedPackage package = openedPackage(keptPackage("version-9-origin.glb"));
+    const OwnedSimulation simulation = madeSimulation(package.get(), steppedBy("split2", 1e-3));
+    const PackagedTissue content = loadPackagedTissue(keptPackage("version-9-origin.glb"));
+    ASSERT_FALSE(content.pressures.empty());
+    SimulationSettings settings;
+    settings.integrator = Integrator::Split2;
+    settings.timeStep = 1e-3;
+    Simulation ours(content.tissue, settings);
+    EsmError error;
+    ASSERT_EQ(esmStep(simulation.get(), 20, &error), 20U) << error.text;
+    for (int i = 0; i < 20; ++i) {
+        Loads loads;
+        for (const PartPressure& pressure : content.pressures)
+            loads.pressures.push_back(
+                {pressure.part, pressureAt(pressure, ours.time()), pressureAt(pressure, ours.time() + 1e-3)});
+        ASSERT_TRUE(ours.step(loads));
+    }
+    EXPECT_EQ(points(esmPositionsOf(simulation.get()), ours.positions().size()), ours.positions());
+    EXPECT_NE(ours.positions(), content.tissue.network->restPositions);
+}
+
+TEST(EsmSimulation, IsSteppedAsRecommendedWhereAllIsLeftOpen) {
+    Project project = makeSample("tube");
+    const TemporaryFolder folder;
+    const auto timeStep = [&](double recommended, const EsmSettings& settings) {
+        project.stepping = MeasuredStepping{{Integrator::Split2, recommended}, 0.01, 0.1};
+        exportPackage(project, folder / "tube.glb");
+        return esmTimeStepOf(madeSimulation(openedPackage(folder / "tube.glb").get(), settings).get());
+    };
+    EXPECT_EQ(timeStep(1.25e-5, {}), 1.25e-5);
+    EXPECT_NE(timeStep(1.25e-5, steppedBy("split2", 0)), 1.25e-5);
+    EsmSettings axial{};
+    axial.dampsAxially = 1;
+    EXPECT_NE(timeStep(1.25e-5, axial), 1.25e-5);
+    EXPECT_LT(timeStep(100, {}), 1) << "a step that is not stable";
+}
+
+TEST(EsmSimulation, RefusesWhatWasNotOpenedOrMade) {
+    const double vector[3] = {0, 0, 1};
+    const std::uint32_t node = 0;
+    const EsmInstrument ball{1, 0, {0, 0, 0}, {0, 0, 0, 0}};
+    double vertices[3];
+    EsmError error;
+    EXPECT_EQ(esmMakeSimulation(nullptr, nullptr, &error), nullptr);
+    EXPECT_THAT(error.text, HasSubstr("package is NULL"));
+    const auto expectRefused = [&](std::size_t result) {
+        EXPECT_EQ(result, 0U);
+        EXPECT_THAT(error.text, HasSubstr("simulation is NULL"));
+        error.text[0] = '\0';
+    };
+    expectRefused(static_cast<std::size_t>(esmSetGravity(nullptr, vector, &error)));
+    expectRefused(static_cast<std::size_t>(esmSetForces(nullptr, 1, &node, vector, &error)));
+    expectRefused(static_cast<std::size_t>(esmLeadNodes(nullptr, 1, &node, vector, &error)));
+    expectRefused(static_cast<std::size_t>(esmPlaceInstruments(nullptr, 1, &ball, &error)));
+    expectRefused(esmStep(nullptr, 1, &error));
+    expectRefused(static_cast<std::size_t>(esmDrawnVertices(nullptr, vertices, &error)));
+    EXPECT_EQ(esmStep(nullptr, 1, nullptr), 0U);
+}
+
 TEST(EsmSimulation, LivesOnWithoutItsPackageAndGoesBackToRest) {
     OwnedPackage package = openedPackage(keptPackage(hollow));
     const OwnedSimulation simulation = madeSimulation(package.get(), {});
@@ -135,9 +241,18 @@ TEST(EsmSimulation, RefusesLoadsThatCannotBeAndKeepsTheOldOnes) {
     EXPECT_THAT(error.text, HasSubstr(std::to_string(none)));
     EXPECT_FALSE(esmSetForces(simulation.get(), 1, &some, bad, &error));
     EXPECT_FALSE(esmLeadNodes(simulation.get(), 1, &none, good, &error));
-    EsmInstrument instrument{};
-    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 1, &instrument, &error));
-    EXPECT_THAT(error.text, HasSubstr("instrument"));
+    EsmInstrument instruments[2] = {{1, 0, {0, 0, 0}, {0, 0, 0, 0}}, {}};
+    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 2, instruments, &error));
+    EXPECT_STREQ(error.text, "instrument 1: its radius must be above 0, and finite");
+    instruments[1] = {1, -1, {0, 0, 0}, {0, 0, 0, 0}};
+    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 2, instruments, &error));
+    EXPECT_THAT(error.text, HasSubstr("instrument 1: its length"));
+    instruments[1] = {1, 0, {0, bad[1], 0}, {0, 0, 0, 0}};
+    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 2, instruments, &error));
+    EXPECT_THAT(error.text, HasSubstr("instrument 1: its place"));
+    instruments[1] = {1, 0, {0, 0, 0}, {bad[1], 0, 0, 0}};
+    EXPECT_FALSE(esmPlaceInstruments(simulation.get(), 2, instruments, &error));
+    EXPECT_THAT(error.text, HasSubstr("instrument 1: its orientation"));
     const double before = esmPositionsOf(simulation.get())[3 * some + 2];
     ASSERT_EQ(esmStep(simulation.get(), 1, &error), 1U);
     EXPECT_GT(esmPositionsOf(simulation.get())[3 * some + 2], before);

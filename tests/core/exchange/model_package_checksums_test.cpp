@@ -1,5 +1,6 @@
 #include "tests/core/exchange/model_package_fixture.h"
 
+#include "core/exchange/package/package_checksums.h"
 #include "tests/core/exchange/rounded_tissue.h"
 #include "tests/support/exchange_projects.h"
 #include "tests/support/rounds.h"
@@ -115,6 +116,21 @@ TEST_F(PackageChecksums, AChangedJsonIsRefusedUntilTheSumsAreLeftOut) {
     EXPECT_THAT(loadingError(), HasSubstr("the JSON is damaged, or was changed"));
     rewrite(glb);
     EXPECT_EQ(loadPackage(m_file).base.viscosity, 7.5);
+}
+
+// Small files could else ask for sums over any number of bytes.
+TEST_F(PackageChecksums, OfViewsThatOverlapAreRefused) {
+    exportPackage(withoutPictures(), m_file);
+    Glb glb = parseGlb(readFile(m_file));
+    const Json& normals = glb.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"];
+    const Json& view = glb.json["accessors"][normals.get<std::size_t>()]["bufferView"];
+    Json& changed = glb.json["bufferViews"][view.get<std::size_t>()];
+    changed["byteOffset"] = 0;
+    changed["byteLength"] = glb.binary.size();
+    fillChecksums(glb);
+    overwrite(m_file, writeGlb(glb));
+    EXPECT_THAT(loadingError(), HasSubstr("bufferViews overlap"));
+    EXPECT_THROW(loadPackagedTissue(m_file), FileError);
 }
 
 TEST_F(PackageChecksums, ThatAreNoneAreRefused) {

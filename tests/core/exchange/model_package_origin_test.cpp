@@ -96,6 +96,11 @@ TEST_F(PackageOrigin, IsRefusedWhereItIsNone) {
     EXPECT_THAT(refusal("/program", nullptr), HasSubstr("program is missing"));
     EXPECT_THAT(refusal("/date", "yesterday"), HasSubstr("the date"));
     EXPECT_THAT(refusal("/author", 7), HasSubstr("author"));
+    EXPECT_THAT(refusal("/program", "safe\x1b[2J"), HasSubstr("the program must be one line"));
+    EXPECT_THAT(refusal("/program", std::string(1001, 'p')), HasSubstr("the program must have at most"));
+    EXPECT_THAT(refusal("/source/file", "a\nb.stl"), HasSubstr("the file's name must be one line"));
+    EXPECT_THAT(refusal("/source/file", std::string(1001, 'f')),
+                HasSubstr("the file's name must have at most"));
 }
 
 TEST_F(PackageOrigin, IsNotAskedOfPackagesOfBefore) {

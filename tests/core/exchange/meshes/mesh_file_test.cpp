@@ -85,6 +85,20 @@ TEST(MeshFile, IsRefusedWithTheDecodersWords) {
     EXPECT_THAT(meshError(folder.path()), HasSubstr("not a regular file"));
 }
 
+TEST(MeshFile, IsToldAgainByANameThatPackagesHold) {
+    const TemporaryFolder folder;
+    for (const auto& [name, told] :
+         std::vector<std::pair<std::string, std::string>>{{"liver 1 ü.stl", "liver 1 ü.stl"},
+                                                          {"a\nb\x1b.stl", "a\xEF\xBF\xBD"
+                                                                           "b\xEF\xBF\xBD.stl"},
+                                                          {"\xE4.stl", "\xEF\xBF\xBD.stl"}}) {
+        overwrite(folder / name, std::string("solid"));
+        const MeshSource source = meshSourceOf(folder / name);
+        EXPECT_EQ(source.file, told);
+        EXPECT_THAT(validate(source), testing::IsEmpty());
+    }
+}
+
 TEST(MeshFile, MayBeNamedLikeAnOption) {
     const TemporaryFolder folder;
     const fs::path before = fs::current_path();
