@@ -55,9 +55,8 @@ SofaFrames referenceFrames(const SceneRun& run, const Progress& progress) {
 double usualWallTime(SceneRun run, const Project& project, const Progress& progress) {
     double done = 0;
     const Progress rising = risingOf(progress, done);
-    const bool isRecommended = project.stepping && run.settings.damping == Damping::Isotropic &&
-                               isStable(run.model, project.stepping->stepping);
-    if (isRecommended) run.settings = withStepping(run.settings, project.stepping->stepping);
+    run.settings = steppedAsRecommended(run.settings, run.model, project.stepping);
+    const bool isRecommended = run.settings.timeStep.has_value();
     const NewFrameSink nothing = []() -> FrameSink {
         return [](double, const std::vector<Eigen::Vector3d>&) {};
     };
