@@ -17,7 +17,11 @@ import sys
 from pathlib import Path
 
 import bpy
-import numpy as np
+
+try:
+    import numpy as np
+except ImportError:
+    sys.exit("NumPy is not in the Python that Blender uses; install it there, in Debian as python3-numpy")
 
 sys.path.insert(0, str(Path(__file__).resolve().parent / "readers"))
 from esm_package import PackageError, need, read_package, shaped, spring_values  # noqa: E402: its folder is known only now

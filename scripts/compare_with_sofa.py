@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs a project's own scene in SOFA and here, and prints a row of the table in docs/simulators.md.
 
-    scripts/compare_with_sofa.py ORGAN.esm [--release 26.06] [--damping isotropic|axial] [--dt SECONDS]
+    scripts/compare_with_sofa.py ORGAN.esm [--release VERSION] [--damping isotropic|axial] [--dt SECONDS]
                                  [--runsofa PROGRAM] [--esmc PROGRAM]
 
 The project is handed over by `esmc export`, stepped by an installed `runSofa` without a window, and by
@@ -38,6 +38,12 @@ def run(*command):
     if process.returncode:
         raise Failed(f"{command[0]} failed: {process.stderr.strip() or process.stdout.strip()[-500:]}")
     return process.stdout
+
+
+def release_of(program):
+    """By the name of the file that its links end at, runSofa-26.06.00; the newest without."""
+    found = re.match(r"runSofa-(\d+\.\d+)", Path(program).resolve().name)
+    return found[1] if found else "26.06"
 
 
 def frames_here(table):
@@ -147,7 +153,7 @@ def row(options, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("project")
-    parser.add_argument("--release", default="26.06")
+    parser.add_argument("--release", help="of SOFA, where its program's name does not say it")
     parser.add_argument("--damping", default="isotropic")
     parser.add_argument("--dt", type=float, help="s; a little less where states are to be written in between")
     parser.add_argument("--runsofa", default="runSofa")
@@ -157,6 +163,7 @@ def main():
     if not options.runsofa:
         print("no runSofa is installed; name it by --runsofa", file=sys.stderr)
         return 3
+    options.release = options.release or release_of(options.runsofa)
     try:
         with tempfile.TemporaryDirectory() as folder:
             print(row(options, Path(folder)))

@@ -17,8 +17,8 @@ std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>
 vectorsByNode(const char* what, const NodeNumbers& nodes, const Vectors3& vectors, std::size_t nodeCount) {
     if (nodes.ndim() != 1 || vectors.ndim() != 2 || vectors.shape(0) != nodes.shape(0) ||
         vectors.shape(1) != 3)
-        throw InvalidModel("n nodes are a list of n, and a " + std::string(what) +
-                           " for each is an array of n rows of three numbers");
+        throw InvalidModel("nodes are given as a list, as [7], and a " + std::string(what) +
+                           " for each as a row of three numbers, as [[0, 0, -1]]");
     std::vector<std::pair<std::uint32_t, Eigen::Vector3d>> result;
     for (py::ssize_t i = 0; i < nodes.shape(0); ++i) {
         const Eigen::Vector3d vector(vectors.at(i, 0), vectors.at(i, 1), vectors.at(i, 2));

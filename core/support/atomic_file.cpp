@@ -90,6 +90,7 @@ std::string writingProblem(int reason) {
     const char* remedy = "; choose a folder that can be written to";
     if (isFull) remedy = "; free some space or choose another place";
     if (reason == ENAMETOOLONG) remedy = "; choose a shorter name";
+    if (reason == ENOENT) remedy = "; make its folder first";
     return std::string("cannot be written: ") + std::strerror(reason) + remedy;
 }
 

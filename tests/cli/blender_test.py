@@ -1,5 +1,6 @@
 import json
 import math
+import os
 import shutil
 import subprocess
 import unittest
@@ -27,9 +28,11 @@ print(json.dumps([(vertex.co.x, vertex.co.z, -vertex.co.y) for vertex in now]))
 class BlenderTest(Case):
     def softened(self, package, *options, scripts=()):
         """What the script prints; then what others print that run after it."""
+        # Blender's Python takes modules from beside the first python3 on the PATH; NumPy is Debian's.
+        environment = {**os.environ, "PATH": "/usr/bin:/bin"}
         python = [word for script in (SCRIPT, *scripts) for word in ("--python", script)]
         run = subprocess.run(["blender", "--background", "--factory-startup", "--python-exit-code", "1", *python, "--", package, *options],
-                             capture_output=True, text=True)
+                             capture_output=True, text=True, env=environment)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return [json.loads(line) for line in run.stdout.splitlines() if line.startswith(("{", "["))]
 

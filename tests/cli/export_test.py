@@ -15,7 +15,7 @@ class ExportTest(Case):
         told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--dry-run")
         self.assertFalse(folder.exists())
         self.assertNotIn("files", told)
-        self.assertIn("instruments", told["differences"][0]["what"])
+        self.assertTrue(any("instruments" in difference["what"] for difference in told["differences"]))
         self.assertIsNone(told["largest_step"])
         written = self.done("export", self.tube, "--to", "sofa", "-o", folder)
         self.assertEqual(written["differences"], told["differences"])
@@ -23,6 +23,7 @@ class ExportTest(Case):
     def test_an_axial_scene_is_stepped_within_its_limit(self):
         folder = self.file("organ.sofa")
         told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--damping", "axial")
+        self.assertTrue(any("along the springs alone" in difference["what"] for difference in told["differences"]))
         limit = self.done("stability", self.tube, "--damping", "axial")["critical_dt"]["euler"]
         self.assertLessEqual(told["largest_step"], limit * 1.01)
         step = float(ElementTree.parse(folder / "organ.scn").getroot().get("dt"))

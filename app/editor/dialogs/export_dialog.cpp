@@ -6,6 +6,7 @@
 #include "app/editor/dialogs/sentence.h"
 #include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "core/exchange/simulators/sofa/sofa_run.h"
+#include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/exchange/simulators/sofa/sofa_trial.h"
 #include "core/model/gentle_pull.h"
 #include "widgets/inputs/action_texts.h"
@@ -27,7 +28,7 @@ NumberFormat stepFormat() {
     NumberFormat format;
     format.unit = QStringLiteral("ms");
     format.shownPerValue = 1000;
-    format.minimum = 1e-9;
+    format.minimum = 1e-7;
     format.maximum = 1;
     return format;
 }
@@ -37,7 +38,10 @@ QString textOf(const Differences& differences) {
         return QObject::tr("It cannot be handed over. %1.")
             .arg(sentence(differences.refusal))
             .toHtmlEscaped();
-    if (differences.list.empty()) return QObject::tr("Nothing that the program knows of.");
+    if (differences.list.empty())
+        return differences.scheme.empty()
+                   ? QObject::tr("Nothing is left out.")
+                   : QObject::tr("Nothing is left out; steps alone make the motion differ a little.");
     QString text;
     for (const auto& [what, instead] : differences.list)
         text += QStringLiteral("<li>%1:<br/>%2.</li>")
@@ -52,7 +56,7 @@ QString textOfSteps(const Differences& differences) {
             ? QObject::tr("Steps longer than %1 ms are not stable.")
                   .arg(numberText(1000 * differences.largestStep))
             : QObject::tr("Steps of any length are stable; shorter ones are nearer to the motion here.");
-    return QObject::tr("Stepped by %1. %2").arg(QString::fromStdString(differences.scheme), limit);
+    return QObject::tr("%1 Stepped by %2.").arg(limit, QString::fromStdString(differences.scheme));
 }
 
 QLabel* wrappedLabel(const char* name, QWidget* parent) {
@@ -79,6 +83,8 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, S
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 18);
     column->setSpacing(12);
+    if (exporter.canBeTried) m_program = installedSofa();
+    if (m_program) m_settings.sofaVersion = releaseOfProgram(*m_program).value_or(newestSofaVersion);
     if (exporter.isStepped) addSettings(column);
     column->addWidget(new QLabel(tr("What will differ from here"), this));
     column->addWidget(m_differences);
@@ -162,8 +168,7 @@ void ExportDialog::addTrial(QDialogButtonBox& buttons) {
     const QString meaning =
         tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other: "
            "the recorded pull, or else the project's scene");
-    const std::optional<std::filesystem::path> program = installedSofa();
-    if (!program)
+    if (!m_program)
         return enable(
             trying, false, meaning,
             tr("SOFA was not found: put its program runSofa on the PATH, or name it with its folder "
@@ -171,10 +176,10 @@ void ExportDialog::addTrial(QDialogButtonBox& buttons) {
     enable(trying, movesTissue(sceneInSofa(m_tried)), meaning,
            tr("Nothing moves the organ: record a poke in the workspace Measure and pull at it, or give the "
               "project a scene with a force or a led node"));
-    connect(trying, &QPushButton::clicked, this, [this, program] { tryIn(*program); });
+    connect(trying, &QPushButton::clicked, this, &ExportDialog::tryOut);
 }
 
-void ExportDialog::tryIn(const std::filesystem::path& program) {
+void ExportDialog::tryOut() {
     if (!takesAllNumbers(*this)) return;
     attempt(this, tr("The organ was not tried in SOFA"), [&] {
         const SofaTrial trial = computeLong(
@@ -182,7 +187,7 @@ void ExportDialog::tryIn(const std::filesystem::path& program) {
             [&](const Progress& progress) {
                 Project project = m_handover.project;
                 project.scene = m_tried;
-                return tryInSofa(program, std::move(project), meansNow(progress));
+                return tryInSofa(*m_program, std::move(project), meansNow(progress));
             },
             Cancelling::Offered);
         SofaTrialDialog(trial, this).exec();

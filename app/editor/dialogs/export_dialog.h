@@ -33,7 +33,7 @@ private:
     void addTimeStep(QFormLayout* form);
     void addAnswer(QVBoxLayout* column);
     void addTrial(QDialogButtonBox& buttons);
-    void tryIn(const std::filesystem::path& program);
+    void tryOut();
     HandoverMeans meansNow(const Progress& progress) const;
     void look();
     void lookAgain();
@@ -42,6 +42,7 @@ private:
     const Exporter& m_exporter;
     const Handover& m_handover;
     const Scene m_tried;
+    std::optional<std::filesystem::path> m_program; ///< to try it in, where that is installed
     EngineSettings m_settings;
     std::optional<double> m_toldStep;  ///< s
     NumberField* m_timeStep = nullptr; ///< null where no engine steps what is written

@@ -31,7 +31,8 @@ QString textOfError(const SofaTrial& trial) {
 }
 
 QString textOfTimes(const SofaTrial& trial) {
-    return QObject::tr("A second of motion takes %1 s of computing here, and %2 s in SOFA in steps of %3 ms.")
+    return QObject::tr("By the clock a second of motion takes %1 s here, and %2 s in SOFA in steps of %3 ms; "
+                       "other work on this computer makes that longer.")
         .arg(numberText(trial.wallHere, figureDigits), numberText(trial.wallThere, figureDigits),
              numberText(millisecondsPerSecond * trial.timeStep, figureDigits));
 }

@@ -54,7 +54,8 @@ std::uint32_t wordAt(const Bytes& file, std::size_t place) {
 std::size_t announcedSize(const Bytes& file) {
     if (file.empty()) throw InvalidModel("is empty; choose another file");
     if (file.size() < headerSize || wordAt(file, 0) != magic)
-        throw InvalidModel("is not a binary glTF file (.glb)");
+        throw InvalidModel(
+            "is not a binary glTF file (.glb); choose a model package, exported from a project");
     if (const std::uint32_t version = wordAt(file, 4); version != 2)
         throw InvalidModel("is glTF of version " + std::to_string(version) + "; version 2 is needed");
     const std::uint32_t announced = wordAt(file, 8);

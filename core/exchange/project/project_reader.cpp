@@ -27,11 +27,18 @@ bool beginsAsZip(const Bytes& content) {
     return content.size() >= 2 && content[0] == 'P' && content[1] == 'K';
 }
 
+bool beginsAsPackage(const Bytes& content) {
+    constexpr std::string_view magic = "glTF";
+    return content.size() >= magic.size() && std::equal(magic.begin(), magic.end(), content.begin());
+}
+
 ReadContent readProject(const std::filesystem::path& file, const Progress& progress) {
     ProgressParts parts(progress);
     const Bytes content = readFile(file, largestFile, parts.next(0.05));
     try {
         if (content.empty()) throw InvalidModel("is empty; choose another file");
+        if (beginsAsPackage(content))
+            throw InvalidModel("is a model package; open the project that it was exported from (.esm)");
         if (!beginsAsZip(content))
             throw InvalidModel("is not a project of this program, but another kind of file, or damaged");
         const ZipReader archive(content);

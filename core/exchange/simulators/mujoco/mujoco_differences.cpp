@@ -1,3 +1,4 @@
+#include "core/exchange/simulators/axial_difference.h"
 #include "core/exchange/simulators/curved_hinges.h"
 #include "core/exchange/simulators/look_differences.h"
 #include "core/exchange/simulators/mujoco/mujoco_folder.h"
@@ -57,7 +58,8 @@ void addMujocoScene(const Scene& scene, MujocoDifferences& list) {
     if (!scene.splits.empty()) list.push_back({"the scene's splits", "the surface stays whole"});
     if (!scene.fillings.empty() || !scene.pressures.empty())
         list.push_back({"fluids and pressures within closed parts", "nothing presses on their walls"});
-    if (!scene.instruments.empty()) list.push_back({"the scene's instruments", "none are in the model"});
+    if (!scene.instruments.empty())
+        list.push_back({"instruments of the scene are not handed over", "none are in the model"});
 }
 
 void addMujocoDrawing(const Handover& handover, MujocoDifferences& list) {
@@ -99,6 +101,7 @@ Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
     Differences differences{
         {}, mujocoScheme, subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
     addMujocoTissue(system, differences.list);
+    if (subject.damping == Damping::Axial) differences.list.push_back(axialDifference());
     addMujocoStep(subject, differences, differences.list);
     addMujocoScene(handover.project.scene, differences.list);
     addMujocoDrawing(handover, differences.list);

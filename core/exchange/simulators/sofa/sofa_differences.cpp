@@ -1,7 +1,9 @@
+#include "core/exchange/simulators/axial_difference.h"
 #include "core/exchange/simulators/curved_hinges.h"
 #include "core/exchange/simulators/look_differences.h"
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/sofa/sofa_scene.h"
+#include "core/model/gentle_pull.h"
 
 namespace esm {
 
@@ -36,9 +38,12 @@ void addDrawingDifferences(const Handover& handover, DifferenceList& list) {
 /// What of a scene has no component in SOFA that does the same.
 DifferenceList sceneDifferences(const Scene& scene) {
     DifferenceList list;
+    if (!movesTissue(sceneInSofa(scene)))
+        list.push_back({"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
+                        "it stands still there; give the project a scene that moves it"});
     if (!scene.instruments.empty())
-        list.push_back({"the scene's instruments are not SOFA's",
-                        "nothing touches the organ; add instruments and collisions of your own"});
+        list.push_back({"instruments of the scene are not handed over",
+                        "nothing touches the organ; add instruments and collisions there"});
     if (!scene.splits.empty())
         list.push_back({"SOFA does not split the surface as the scene does", "it stays whole"});
     if (!scene.fillings.empty() || !scene.pressures.empty())
@@ -59,6 +64,7 @@ Differences sofaDifferences(const Handover& handover, const HandoverMeans& means
     Differences differences{.list = sceneDifferences(handover.project.scene), .scheme = schemeOf(damping)};
     addTissueDifferences(handover, releaseOf(version), differences.list);
     addDrawingDifferences(handover, differences.list);
+    if (damping == Damping::Axial) differences.list.push_back(axialDifference());
     differences.largestStep = largestSofaStep(handover.tissue, damping, means.progress);
     differences.timeStep = timeStep.value_or(usualSofaStepFor(damping, differences.largestStep));
     if (differences.timeStep > differences.largestStep)

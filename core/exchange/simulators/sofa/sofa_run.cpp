@@ -60,6 +60,12 @@ std::string lastWords(const fs::path& output) {
     return first == said.npos ? "it said nothing" : "it said: " + said.substr(first);
 }
 
+/// What SOFA makes in its user's home goes away with the folder.
+std::vector<std::string> atHomeIn(const fs::path& folder, std::vector<std::string> words) {
+    words.insert(words.begin(), {"/usr/bin/env", "HOME=" + folder.string()});
+    return words;
+}
+
 /// SOFA ends even where this process is killed: setpriv asks the system for that and becomes SOFA.
 std::vector<std::string> boundToThisProcess(std::vector<std::string> words) {
     if (const auto binder = programInPath("setpriv"))
@@ -77,8 +83,9 @@ Descriptor outputFile(const fs::path& file) {
 ChildProcess startSofa(const SofaPlaces& places, std::size_t steps, const Descriptor& output) {
     try {
         return ChildProcess(
-            {.words = boundToThisProcess({places.program.string(), "-g", "batch", "-n", std::to_string(steps),
-                                          (places.organ() / sofaSceneFile).string()}),
+            {.words = boundToThisProcess(
+                 atHomeIn(places.folder, {places.program.string(), "-g", "batch", "-n", std::to_string(steps),
+                                          (places.organ() / sofaSceneFile).string()})),
              .output = output.number(),
              .errors = output.number()});
     } catch (const std::system_error& error) {
@@ -103,6 +110,15 @@ void requireFewWords(const SofaPlaces& places) {
     const std::uintmax_t said = fs::file_size(places.output(), error);
     if (!error && said > mostOutput)
         throw FileError(places.program, "said more than 1 GB and was ended; " + lastWords(places.output()));
+}
+
+/// SOFA steps scenes of other releases, with less or more damping, and says nothing.
+void requireRelease(const fs::path& program, SofaVersion wanted) {
+    const auto release = releaseOfProgram(program);
+    if (release && *release != wanted)
+        throw FileError(program, std::string("is of release ") + wordOf(*release) +
+                                     ", and the organ is handed over for " + wordOf(wanted) +
+                                     "; choose release " + wordOf(*release));
 }
 
 /// What SOFA says on the way is no sign: a release without graphics names missing parts of drawing as errors,
@@ -174,6 +190,14 @@ std::optional<fs::path> installedSofa() {
     return canBeRun(named) ? std::optional<fs::path>(named) : std::nullopt;
 }
 
+std::optional<SofaVersion> releaseOfProgram(const fs::path& program) {
+    std::error_code error;
+    const std::string name = fs::canonical(program, error).filename().string();
+    for (const auto& [version, word] : wordsOf<SofaVersion>)
+        if (name.starts_with("runSofa-" + std::string(word))) return version;
+    return std::nullopt;
+}
+
 SofaSchedule sofaSchedule(double duration, double timeStep) {
     const double steps = std::max(1.0, std::round(duration / timeStep));
     if (!(steps <= mostSofaSteps))
@@ -187,6 +211,7 @@ SofaSchedule sofaSchedule(double duration, double timeStep) {
 SofaRun runInSofa(const fs::path& program, const Handover& handover, const HandoverMeans& means,
                   const SofaSchedule& schedule) {
     constexpr std::chrono::milliseconds moment{50};
+    requireRelease(program, means.engine.sofaVersion);
     const ScratchFolder scratch;
     const SofaPlaces places{program, scratch.path()};
     const std::size_t nodes = handover.tissue.mass.size();

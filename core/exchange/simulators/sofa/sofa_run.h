@@ -12,6 +12,10 @@ namespace esm {
 /// where that cannot be run.
 std::optional<std::filesystem::path> installedSofa();
 
+/// The release of an installed `runSofa`, by the name of the file that its links end at: `runSofa-26.06.00`.
+/// None where that says none that scenes are written for.
+std::optional<SofaVersion> releaseOfProgram(const std::filesystem::path& program);
+
 /// How long SOFA runs, and how often it writes down where the nodes are.
 struct SofaSchedule {
     double timeStep; ///< s
@@ -36,7 +40,8 @@ struct SofaRun {
 /// Hands an organ over, lets an installed SOFA step it without a window, and reads how it moved. SOFA ends
 /// with this call, whatever becomes of that, and where the system has `setpriv` with the thread that called.
 /// @param means with the schedule's step
-/// @throws FileError saying what SOFA said where it does not start, ends with an error, writes no motion or
+/// @throws FileError where the program is of another release, which would move the organ otherwise without a
+/// word; saying what SOFA said where it does not start, ends with an error, writes no motion or
 /// not all of it, as on a full disk, or what readSofaStates() refuses; InvalidModel as writeSofa(); Cancelled
 SofaRun runInSofa(const std::filesystem::path& program, const Handover& handover, const HandoverMeans& means,
                   const SofaSchedule& schedule);

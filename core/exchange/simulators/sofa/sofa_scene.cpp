@@ -33,7 +33,7 @@ void addPlugins(const SofaSubject& subject, XmlText& xml) {
 }
 
 /// Conjugate gradients end at a residue, not at a number of iterations, so that the motion is the tissue's
-/// and not the solver's.
+/// and not the solver's. The tolerance is of its square.
 void addSolver(const SofaSubject& subject, XmlText& xml) {
     if (!subject.isImplicit()) return xml.add("EulerExplicitSolver", {{"symplectic", "true"}});
     xml.add("EulerImplicitSolver");
@@ -198,6 +198,14 @@ void addRecorder(const SofaSubject& subject, XmlText& xml) {
 }
 
 } // namespace
+
+Scene sceneInSofa(Scene scene) {
+    scene.instruments.clear();
+    scene.splits.clear();
+    scene.fillings.clear();
+    scene.pressures.clear();
+    return scene;
+}
 
 double largestSofaStep(const TissueModel& tissue, Damping damping, const Progress& progress) {
     if (damping == Damping::Isotropic) return noStepLimit;

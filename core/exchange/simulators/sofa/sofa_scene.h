@@ -41,6 +41,9 @@ struct SofaSubject {
 inline constexpr const char* sofaSceneFile = "organ.scn";
 inline constexpr const char *hingeFile = "bending.xsp", *dampingFile = "damping.xsp";
 
+/// What of a scene SOFA is handed: no instruments, splits, fluids and pressures.
+Scene sceneInSofa(Scene scene);
+
 /// @param system of the handover's tissue @throws Cancelled
 SofaSubject sofaSubject(const Handover& handover, const SpringSystem& system, const HandoverMeans& means);
 

@@ -134,14 +134,6 @@ SofaTrial comparedTrial(const SofaFrames& here, const SofaFrames& there, const S
 
 } // namespace
 
-Scene sceneInSofa(Scene scene) {
-    scene.instruments.clear();
-    scene.splits.clear();
-    scene.fillings.clear();
-    scene.pressures.clear();
-    return scene;
-}
-
 SofaTrial tryInSofa(const std::filesystem::path& program, Project project, const HandoverMeans& means) {
     ProgressParts parts(means.progress);
     project.scene = sceneInSofa(std::move(project.scene));

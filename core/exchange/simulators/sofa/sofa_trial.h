@@ -18,9 +18,6 @@ struct SofaTrial {
     double wallHere = 0, wallThere = 0; ///< s of computing per simulated second
 };
 
-/// What of a scene SOFA is handed: no instruments, splits, fluids and pressures.
-Scene sceneInSofa(Scene scene);
-
 /// Moves an organ by the forces, led nodes and gravity of its scene, here and in an installed SOFA without a
 /// window. Here that is once to an error of 10⁻⁴ of the motion, which SOFA's is held against, and once in the
 /// usual way, which tells how long it takes. SOFA writes six digits of a place; what nodes that stand still

@@ -187,6 +187,8 @@ TEST_F(SofaFolder, TellsWhatSofaDoesNot) {
     };
     Project untouched = makeSample("liver");
     untouched.scene.instruments.clear();
+    EXPECT_THAT(told(untouched, SofaVersion::June2026), testing::HasSubstr("nothing moves the organ"));
+    untouched.scene.gravity = {0, 0, -9.81};
     EXPECT_EQ(told(untouched, SofaVersion::June2026), "");
     EXPECT_THAT(told(biphasicProject(), SofaVersion::June2024), testing::HasSubstr("24.12"));
     EXPECT_THAT(told(biphasicProject(), SofaVersion::December2024),

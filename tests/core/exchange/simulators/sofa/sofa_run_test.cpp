@@ -136,6 +136,25 @@ TEST(SofaProgram, IsTheOneThatIsNamedOrOnThePath) {
     ::setenv("PATH", before.c_str(), 1);
 }
 
+TEST_F(SofaRuns, NameTheReleaseThatIsInstalledWhereItIsAnother) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(test::standInSofa(), folder / "runSofa-24.06.00");
+    std::filesystem::create_symlink("runSofa-24.06.00", folder / "runSofa");
+    EXPECT_EQ(releaseOfProgram(folder / "runSofa"), SofaVersion::June2024);
+    EXPECT_EQ(releaseOfProgram(test::standInSofa()), std::nullopt);
+    EXPECT_EQ(releaseOfProgram(folder / "none"), std::nullopt);
+    HandoverMeans means;
+    means.engine.timeStep = m_schedule.timeStep;
+    try {
+        runInSofa(folder / "runSofa", m_handover, means, m_schedule);
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("for 26.06"), HasSubstr("choose release 24.06")));
+    }
+    means.engine.sofaVersion = SofaVersion::June2024;
+    EXPECT_EQ(runInSofa(folder / "runSofa", m_handover, means, m_schedule).states.size(), 21U);
+}
+
 TEST(SofaSchedule, HasSomeTwentyRecordsAtEndsOfSteps) {
     for (const auto& [duration, step] :
          {std::pair{0.5, 0.005}, {1.0, 0.003}, {0.1, 0.05}, {0.001, 0.005}, {2.0, 1e-6}}) {

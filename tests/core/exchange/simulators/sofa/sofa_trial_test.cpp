@@ -1,5 +1,6 @@
 #include "core/exchange/simulators/sofa/sofa_trial.h"
 
+#include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/stand_in_sofa.h"
