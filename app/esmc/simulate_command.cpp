@@ -282,7 +282,7 @@ bool takesRecommended(const SimulateOptions& options) {
 /// The recommended way to step, where tissue that may have changed since is still stable with it.
 SimulationSettings recommendedSettings(const RunnableModel& model, const SimulationSettings& settings,
                                        std::vector<std::string>& warnings) {
-    const SimulationSettings recommended = steppedAsRecommended(settings, model.tissue, model.stepping);
+    SimulationSettings recommended = steppedAsRecommended(settings, model.tissue, model.stepping);
     const Stepping& stepping = model.stepping->stepping;
     if (!recommended.timeStep)
         warnings.push_back("the recommended step of " + inText(stepping.timeStep) + " s is too long for " +

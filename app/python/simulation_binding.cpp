@@ -64,6 +64,7 @@ public:
     void placeInstruments(const std::vector<GivenInstrument>& instruments) {
         requireStill();
         std::vector<PlacedCollider> placed;
+        placed.reserve(instruments.size());
         for (const GivenInstrument& instrument : instruments)
             placed.push_back(givenInstrument(placed.size(), instrument));
         m_loads.instruments = std::move(placed);

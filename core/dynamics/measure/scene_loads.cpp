@@ -26,6 +26,7 @@ double shareOf(const NodeForce& force, double start, double end) {
 std::vector<CavityPressure> pressuresDuring(const std::vector<PartPressure>& pressures, double start,
                                             double end) {
     std::vector<CavityPressure> during;
+    during.reserve(pressures.size());
     for (const PartPressure& pressure : pressures)
         during.push_back({pressure.part, pressureAt(pressure, start), pressureAt(pressure, end)});
     return during;
