@@ -193,7 +193,7 @@ class ModuleTest(Case):
                 (ValueError, "node 4096", lambda: simulation.set_forces([4096], [[0, 0, 0]])),
                 (ValueError, "node -1", lambda: simulation.lead([-1], [[0, 0, 0]])),
                 (ValueError, "not finite", lambda: simulation.set_forces([1], [[0, float("nan"), 0]])),
-                (ValueError, "rows of three", lambda: simulation.set_forces([1, 2], [[0, 0, 0]])),
+                (ValueError, "row of three", lambda: simulation.set_forces([1, 2], [[0, 0, 0]])),
                 (ValueError, "gravity", lambda: setattr(simulation, "gravity", (0, float("inf"), 0))),
                 (ValueError, "durations", lambda: project.evaluate({"durations": 1})),
                 (ValueError, "JSON", lambda: project.evaluate("{")),
