@@ -1,5 +1,6 @@
 #include "core/support/child_process.h"
 
+#include "tests/support/running_process.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -15,13 +16,6 @@ namespace esm {
 namespace {
 
 using namespace std::chrono_literals;
-
-/// Whether a process is there; one that has ended may wait for its parent to hear of it.
-bool isRunning(pid_t process) {
-    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
-    std::string id, name, state;
-    return status >> id >> name >> state && state != "Z";
-}
 
 TEST(ChildProcess, TellsHowItEnded) {
     ChildProcess process({.words = {"/bin/sh", "-c", "exit 7"}});
@@ -51,7 +45,7 @@ TEST(ChildProcess, EndsWhatItLeftBehind) {
     EXPECT_TRUE(WIFEXITED(process.status()));
     pid_t child = 0;
     ASSERT_TRUE(std::ifstream(written) >> child);
-    while (isRunning(child)) // its new parent hears of it soon
+    while (test::isRunning(child)) // its new parent hears of it soon
         std::this_thread::yield();
 }
 
@@ -65,7 +59,7 @@ TEST(ChildProcess, EndsWithItsOwnerAndWithAllThatItStarted) {
         while (!(std::ifstream(written) >> child))
             ASSERT_FALSE(process.endsWithin(20ms));
     }
-    while (isRunning(child)) // its new parent hears of it soon
+    while (test::isRunning(child)) // its new parent hears of it soon
         std::this_thread::yield();
 }
 

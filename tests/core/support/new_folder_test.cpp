@@ -3,10 +3,10 @@
 #include "core/support/errors.h"
 #include "core/support/scratch_folder.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/with_variable.h"
 
 #include <gmock/gmock.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <sys/stat.h>
 
@@ -76,9 +76,7 @@ TEST(NewFolder, SaysThatANameIsTooLong) {
 
 TEST(ScratchFolder, NamesWhatToDoWithoutRoom) {
     const TemporaryFolder folder;
-    const char* const before = std::getenv("TMPDIR");
-    const std::string kept = before ? before : "";
-    ::setenv("TMPDIR", (folder / "none").c_str(), 1);
+    const test::WithVariable named("TMPDIR", folder / "none");
     try {
         const ScratchFolder scratch;
         ADD_FAILURE();
@@ -86,7 +84,6 @@ TEST(ScratchFolder, NamesWhatToDoWithoutRoom) {
         EXPECT_THAT(error.what(), testing::HasSubstr("the folder for temporary files"));
         EXPECT_THAT(error.what(), testing::HasSubstr("TMPDIR"));
     }
-    before ? ::setenv("TMPDIR", kept.c_str(), 1) : ::unsetenv("TMPDIR");
 }
 
 } // namespace

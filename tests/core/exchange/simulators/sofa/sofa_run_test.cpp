@@ -3,6 +3,7 @@
 #include "core/samples/samples.h"
 #include "core/support/errors.h"
 #include "tests/support/full_disk.h"
+#include "tests/support/running_process.h"
 #include "tests/support/stand_in_sofa.h"
 #include "tests/support/steady_progress.h"
 #include "tests/support/temporary_folder.h"
@@ -92,13 +93,6 @@ TEST_F(SofaRuns, TellHowFarTheyAreAndStopAnywhere) {
     test::expectGoodProgress([this](const Progress& progress) { runAs("right", progress); });
 }
 
-/// Whether a process is there; one that has ended may wait for its parent to hear of it.
-bool isRunning(pid_t process) {
-    std::ifstream status("/proc/" + std::to_string(process) + "/stat");
-    std::string id, name, state;
-    return status >> id >> name >> state && state != "Z";
-}
-
 TEST_F(SofaRuns, EndSofaAndWhatItStartedWhereTheyAreCancelled) {
     const TemporaryFolder folder;
     const std::filesystem::path processes = folder / "processes";
@@ -110,9 +104,9 @@ TEST_F(SofaRuns, EndSofaAndWhatItStartedWhereTheyAreCancelled) {
     };
     EXPECT_THROW(runAs("hang", stopOnceRunning), Cancelled);
     ASSERT_GT(child, 0);
-    while (isRunning(child)) // its new parent hears of it soon
+    while (test::isRunning(child)) // its new parent hears of it soon
         std::this_thread::yield();
-    EXPECT_FALSE(isRunning(sofa));
+    EXPECT_FALSE(test::isRunning(sofa));
     EXPECT_TRUE(::waitpid(-1, nullptr, WNOHANG) < 0 && errno == ECHILD);
 }
 
