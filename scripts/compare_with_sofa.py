@@ -40,6 +40,11 @@ def run(*command):
     return process.stdout
 
 
+def say(what):
+    """Where the row is printed nothing else is."""
+    print(what, file=sys.stderr, flush=True)
+
+
 def release_of(program):
     """By the name of the file that its links end at, runSofa-26.06.00; the newest without."""
     found = re.match(r"runSofa-(\d+\.\d+)", Path(program).resolve().name)
@@ -121,6 +126,7 @@ def in_sofa(options, folder, period, duration):
     scene = with_recorder(handed_over / "organ.scn", state, period)
     # One step more, since a state is written as the next step begins.
     steps = round(duration / step) + 1
+    say(f"in SOFA, {steps} steps of {1000 * step:g} ms")
     output = run(options.runsofa, "-g", "batch", "-n", steps, scene)
     seconds = re.findall(r"iterations done in ([0-9.e+-]+) s", output)
     if not seconds or not state.exists():
@@ -130,8 +136,10 @@ def in_sofa(options, folder, period, duration):
 
 def here(options, folder):
     """Some twenty of the frames that the scene records, and what `esmc` says of a run by the way that is chosen for the organ."""
+    say("here, to 1e-4 of the motion")
     run(options.esmc, "simulate", options.project, "--damping", options.damping, "--max-error", "1e-4", "-o",
         folder / "reference.csv", "--json")
+    say("here, in the usual way")
     usual = json.loads(run(options.esmc, "simulate", options.project, "--damping", options.damping, "-o", folder / "usual.csv",
                            "--json"))
     frames = frames_here(folder / "reference.csv")

@@ -115,6 +115,18 @@ void addDifferences(Report& report, const Differences& differences) {
                           " s; largest stable step: " + (largest ? inText(*largest) + " s" : "no limit"));
 }
 
+std::vector<std::string> warningsOf(const Handover& handover, const Differences& differences) {
+    std::vector<std::string> warnings;
+    const auto& stepping = handover.project.stepping;
+    if (stepping && isFromOtherTissue(*stepping, handover.tissue))
+        warnings.push_back("the tissue has changed since its step was recommended: measure again with "
+                           "tradeoff, and export again");
+    if (differences.blowsUp())
+        warnings.push_back("the motion will blow up: steps of " + inText(differences.timeStep) +
+                           " s are longer than the largest stable one; give a shorter --dt, or none");
+    return warnings;
+}
+
 Report runExport(const ExportOptions& options, Context& context) {
     checkUse(options);
     context.subject = options.project;
@@ -126,9 +138,8 @@ Report runExport(const ExportOptions& options, Context& context) {
                         options.authorship};
     const Differences differences = differencesOf(handover, *options.exporter, means);
     Report report;
-    if (project.stepping && isFromOtherTissue(*project.stepping, handover.tissue))
-        addWarnings(report, {"the tissue has changed since its step was recommended: measure again with "
-                             "tradeoff, and export again"});
+    if (const auto warnings = warningsOf(handover, differences); !warnings.empty())
+        addWarnings(report, warnings);
     if (!options.isDryRun) {
         means.progress = parts.rest();
         if (!differences.scheme.empty()) means.engine.timeStep = differences.timeStep;

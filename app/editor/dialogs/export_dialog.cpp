@@ -2,9 +2,9 @@
 
 #include "app/editor/dialogs/attempt.h"
 #include "app/editor/dialogs/box_setup.h"
+#include "app/editor/dialogs/export_texts.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/sentence.h"
-#include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "core/exchange/simulators/sofa/sofa_run.h"
 #include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/exchange/simulators/sofa/sofa_trial.h"
@@ -12,17 +12,15 @@
 #include "widgets/inputs/action_texts.h"
 #include "widgets/inputs/control_keys.h"
 #include "widgets/inputs/enabling.h"
-#include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
-
-#include <cmath>
 
 namespace esm {
 
 namespace {
 
 constexpr int textWidth = 520; // pixels
+constexpr int usualLines = 8;  ///< of what will differ, for which room is kept, so that little moves
 
 NumberFormat stepFormat() {
     NumberFormat format;
@@ -31,32 +29,6 @@ NumberFormat stepFormat() {
     format.minimum = 1e-7;
     format.maximum = 1;
     return format;
-}
-
-QString textOf(const Differences& differences) {
-    if (!differences.refusal.empty())
-        return QObject::tr("It cannot be handed over. %1.")
-            .arg(sentence(differences.refusal))
-            .toHtmlEscaped();
-    if (differences.list.empty())
-        return differences.scheme.empty()
-                   ? QObject::tr("Nothing is left out.")
-                   : QObject::tr("Nothing is left out; steps alone make the motion differ a little.");
-    QString text;
-    for (const auto& [what, instead] : differences.list)
-        text += QStringLiteral("<li>%1:<br/>%2.</li>")
-                    .arg(sentence(what).toHtmlEscaped(), QString::fromStdString(instead).toHtmlEscaped());
-    return QStringLiteral("<ul style='margin-left: 14px; -qt-list-indent: 0'>%1</ul>").arg(text);
-}
-
-QString textOfSteps(const Differences& differences) {
-    if (differences.scheme.empty()) return {};
-    const QString limit =
-        std::isfinite(differences.largestStep)
-            ? QObject::tr("Steps longer than %1 ms are not stable.")
-                  .arg(numberText(1000 * differences.largestStep))
-            : QObject::tr("Steps of any length are stable; shorter ones are nearer to the motion here.");
-    return QObject::tr("%1 Stepped by %2.").arg(limit, QString::fromStdString(differences.scheme));
 }
 
 QLabel* wrappedLabel(const char* name, QWidget* parent) {
@@ -75,9 +47,12 @@ void addField(QFormLayout* form, const QString& caption, QWidget* field, const Q
 
 } // namespace
 
-ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, Scene tried, QWidget* parent)
+ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, TriedMotion tried,
+                           QWidget* parent)
     : QDialog(parent), m_exporter(exporter), m_handover(handover), m_tried(std::move(tried)),
-      m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)) {
+      m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)),
+      m_blowUp(wrappedLabel("exportBlowUp", this)),
+      m_usualStep(new QPushButton(tr("Take the &usual step"), this)), m_finder(exporter, handover) {
     setWindowTitle(tr("Export: %1").arg(QString::fromStdString(exporter.title)));
     setObjectName(QStringLiteral("exportDialog"));
     auto* column = new QVBoxLayout(this);
@@ -86,13 +61,19 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, S
     if (exporter.canBeTried) m_program = installedSofa();
     if (m_program) m_settings.sofaVersion = releaseOfProgram(*m_program).value_or(newestSofaVersion);
     if (exporter.isStepped) addSettings(column);
+    addWarning(column);
     column->addWidget(new QLabel(tr("What will differ from here"), this));
+    m_differences->setText(searchText(0));
+    m_differences->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    m_differences->setMinimumHeight(usualLines * fontMetrics().lineSpacing());
     column->addWidget(m_differences);
     m_steps->setProperty("quiet", true);
     column->addWidget(m_steps);
     column->addStretch();
     addAnswer(column);
     rejectOnEscape(*this);
+    enable(m_accepting, false, QString(), tr("What will differ is not known yet"));
+    connect(&m_finder, &DifferenceFinder::answered, this, &ExportDialog::takeAnswer);
     look();
 }
 
@@ -115,7 +96,7 @@ void ExportDialog::addRelease(QFormLayout* form) {
     guardFromWheel(*release);
     connect(release, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, release] {
         m_settings.sofaVersion = static_cast<SofaVersion>(release->currentData().toInt());
-        lookAgain();
+        look();
     });
     addField(form, tr("&Release"), release, tr("The release that is to load the folder: names differ"));
 }
@@ -129,7 +110,7 @@ void ExportDialog::addDamping(QFormLayout* form) {
     connect(damping, qOverload<int>(&QComboBox::currentIndexChanged), this, [this, damping] {
         m_settings.damping = static_cast<Damping>(damping->currentData().toInt());
         m_settings.timeStep = std::nullopt;
-        lookAgain();
+        look();
     });
     addField(form, tr("Viscosity &damps"), damping,
              tr("Along the springs alone, as most engines know it, tissue gives way farther; it then needs "
@@ -141,7 +122,7 @@ void ExportDialog::addTimeStep(QFormLayout* form) {
     m_timeStep->setObjectName(QStringLiteral("exportTimeStep"));
     connect(m_timeStep, &NumberField::valueEdited, this, [this](double step) {
         m_settings.timeStep = step;
-        lookAgain();
+        look();
     });
     addField(form, tr("Time &step"), m_timeStep, tr("The step that is written; it can be changed there"));
 }
@@ -173,7 +154,7 @@ void ExportDialog::addTrial(QDialogButtonBox& buttons) {
             trying, false, meaning,
             tr("SOFA was not found: put its program runSofa on the PATH, or name it with its folder "
                "in the environment's ESM_RUNSOFA"));
-    enable(trying, movesTissue(sceneInSofa(m_tried)), meaning,
+    enable(trying, movesTissue(sceneInSofa(m_tried.scene)), meaning,
            tr("Nothing moves the organ: record a poke in the workspace Measure and pull at it, or give the "
               "project a scene with a force or a led node"));
     connect(trying, &QPushButton::clicked, this, &ExportDialog::tryOut);
@@ -186,56 +167,84 @@ void ExportDialog::tryOut() {
             this, tr("Moving the organ here and in SOFA"),
             [&](const Progress& progress) {
                 Project project = m_handover.project;
-                project.scene = m_tried;
-                return tryInSofa(*m_program, std::move(project), meansNow(progress));
+                project.scene = m_tried.scene;
+                HandoverMeans means;
+                means.progress = progress;
+                means.engine = m_settings;
+                return tryInSofa(*m_program, std::move(project), means);
             },
             Cancelling::Offered);
-        SofaTrialDialog(trial, this).exec();
+        SofaTrialDialog(trial, m_tried.name, this).exec();
     });
 }
 
-HandoverMeans ExportDialog::meansNow(const Progress& progress) const {
-    HandoverMeans means;
-    means.progress = progress;
-    means.engine = m_settings;
-    return means;
+void ExportDialog::addWarning(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(12);
+    m_blowUp->setProperty("warning", true);
+    m_usualStep->ensurePolished();
+    m_blowUp->setFixedWidth(textWidth - m_usualStep->sizeHint().width() - row->spacing());
+    m_usualStep->setObjectName(QStringLiteral("exportUsualStep"));
+    m_usualStep->setToolTip(tr("The step that suits the program, in place of your own"));
+    m_usualStep->setAutoDefault(false);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_blowUp, m_usualStep}) {
+        part->hide();
+        row->addWidget(part);
+    }
+    column->addLayout(row);
+    connect(m_usualStep, &QPushButton::clicked, this, &ExportDialog::takeUsualStep);
 }
 
-/// The largest step of a large organ takes a while.
+void ExportDialog::takeUsualStep() {
+    m_settings.timeStep.reset();
+    look();
+}
+
 void ExportDialog::look() {
-    show(computeLong(
-        isVisible() ? this : parentWidget(), tr("Looking for what will differ"),
-        [this](const Progress& progress) {
-            return differencesOf(m_handover, m_exporter, meansNow(progress));
-        },
-        Cancelling::Offered));
+    m_found.reset();
+    m_acceptsOnceFound = false;
+    m_finder.look(m_settings);
 }
 
-/// After a change. Who gives that up, gives the export up.
-void ExportDialog::lookAgain() {
-    if (!attempt(this, tr("What will differ was not found"), [this] { look(); })) reject();
+void ExportDialog::takeAnswer() {
+    const auto outcome = m_finder.outcome();
+    if (m_finder.isWorking()) {
+        if (outcome.answer) m_differences->setText(searchText(outcome.answer->share));
+        return;
+    }
+    if (outcome.failure.empty()) return show(outcome.answer->differences);
+    m_differences->setText(sentence(outcome.failure).toHtmlEscaped());
+    enable(m_accepting, false, QString(), m_differences->text());
+    adjustSize();
 }
 
 void ExportDialog::show(const Differences& differences) {
-    m_differences->setText(textOf(differences));
-    m_steps->setText(textOfSteps(differences));
-    m_steps->setVisible(!m_steps->text().isEmpty());
-    enable(m_accepting, differences.refusal.empty(), QString(), tr("The organ cannot be handed over"));
-    m_toldStep.reset();
-    if (!differences.scheme.empty()) m_toldStep = differences.timeStep;
-    if (m_timeStep && m_timeStep->refusal().isEmpty()) m_timeStep->setValue(m_toldStep);
+    m_found = differences;
+    m_differences->setText(differencesText(differences));
+    for (const auto& [label, text] :
+         {std::pair{m_steps, stepsText(differences)}, std::pair{m_blowUp, blowUpText(differences)}}) {
+        label->setText(text);
+        label->setVisible(!text.isEmpty());
+    }
+    m_usualStep->setVisible(differences.blowsUp());
+    const bool canBeHandedOver = differences.refusal.empty();
+    enable(m_accepting, canBeHandedOver, QString(), tr("The organ cannot be handed over"));
+    if (m_timeStep && !m_settings.timeStep) m_timeStep->setValue(settings().timeStep);
     adjustSize();
+    if (m_acceptsOnceFound && canBeHandedOver && !differences.blowsUp()) QDialog::accept();
 }
 
 /// With the step that is told, which takes long to find.
 EngineSettings ExportDialog::settings() const {
     EngineSettings settings = m_settings;
-    if (!settings.timeStep) settings.timeStep = m_toldStep;
+    if (!settings.timeStep && m_found && !m_found->scheme.empty()) settings.timeStep = m_found->timeStep;
     return settings;
 }
 
 void ExportDialog::accept() {
-    if (takesAllNumbers(*this)) QDialog::accept();
+    if (!takesAllNumbers(*this)) return;
+    if (m_found) return QDialog::accept();
+    m_acceptsOnceFound = true;
 }
 
 } // namespace esm

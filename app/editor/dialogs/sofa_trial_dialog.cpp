@@ -16,6 +16,7 @@ namespace {
 
 constexpr double millimetresPerMetre = 1000, millisecondsPerSecond = 1000;
 constexpr int figureDigits = 3;
+constexpr double nearError = 0.01; ///< of the motion
 
 ChartCurve wayOverTime(const QString& name, const SofaTrial& trial, const std::vector<double>& ways) {
     ChartCurve curve{name, {}};
@@ -28,6 +29,13 @@ QString textOfError(const SofaTrial& trial) {
     return QObject::tr("The motion in SOFA differs from that here by %1, over all nodes at %2 times.")
         .arg(QString::fromStdString(percentText(trial.error)))
         .arg(trial.times.size() - 1);
+}
+
+/// The error of SOFA's steps is of first order.
+QString textOfVerdict(const SofaTrial& trial) {
+    return trial.error <= nearError
+               ? QObject::tr("It moves there as it does here, within 1 %.")
+               : QObject::tr("Steps half as long come about twice as near, but for what was said to differ.");
 }
 
 QString textOfTimes(const SofaTrial& trial) {
@@ -46,13 +54,19 @@ QLabel* figureLabel(const char* name, const QString& text, QWidget* parent) {
 
 } // namespace
 
-SofaTrialDialog::SofaTrialDialog(const SofaTrial& trial, QWidget* parent) : QDialog(parent) {
+SofaTrialDialog::SofaTrialDialog(const SofaTrial& trial, const QString& motion, QWidget* parent)
+    : QDialog(parent) {
     setWindowTitle(tr("The organ in SOFA"));
     setObjectName(QStringLiteral("sofaTrialDialog"));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 18);
     column->setSpacing(12);
-    column->addWidget(new QLabel(tr("How far the node that moves farthest is from its place at rest"), this));
+    column->addWidget(
+        figureLabel("sofaTrialMotion",
+                    tr("The organ is moved by %1. Shown is how far the node that moves farthest "
+                       "is from its place at rest.")
+                        .arg(motion),
+                    this));
     auto* chart = new CurveChart(this);
     chart->setObjectName(QStringLiteral("sofaTrialChart"));
     chart->setAxes({tr("time"), QStringLiteral("s")}, {tr("distance"), QStringLiteral("mm")});
@@ -61,7 +75,8 @@ SofaTrialDialog::SofaTrialDialog(const SofaTrial& trial, QWidget* parent) : QDia
     chart->setToolTip(tr("The arrow keys go from one moment to the next"));
     chart->setMinimumSize(560, 300);
     column->addWidget(chart, 1);
-    column->addWidget(figureLabel("sofaTrialError", textOfError(trial), this));
+    column->addWidget(
+        figureLabel("sofaTrialError", textOfError(trial) + QLatin1Char(' ') + textOfVerdict(trial), this));
     auto* times = figureLabel("sofaTrialTimes", textOfTimes(trial), this);
     times->setProperty("quiet", true);
     column->addWidget(times);

@@ -6,13 +6,20 @@
 
 namespace esm {
 
+/// What moves an organ in a trial.
+struct TriedMotion {
+    Scene scene;
+    QString name; ///< as in "the organ is moved by …"
+};
+
 /// Shows how an organ moved here and in SOFA, one curve over the other, how far both are apart, and how long
 /// each took.
 class SofaTrialDialog : public QDialog {
     Q_OBJECT
 
 public:
-    explicit SofaTrialDialog(const SofaTrial& trial, QWidget* parent = nullptr);
+    /// @param motion the name of what moved it
+    SofaTrialDialog(const SofaTrial& trial, const QString& motion, QWidget* parent = nullptr);
 };
 
 } // namespace esm

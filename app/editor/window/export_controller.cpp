@@ -58,18 +58,18 @@ void ExportController::choose() {
 }
 
 /// The recorded pull, or else the project's own scene.
-Scene ExportController::triedScene(const Handover& handover) const {
+TriedMotion ExportController::triedMotion(const Handover& handover) const {
     if (m_poke && m_poke->poke())
         if (auto pulled = sceneOfPull(*m_poke->poke(), handover.project, handover.tissue))
-            return std::move(*pulled);
-    return handover.project.scene;
+            return {std::move(*pulled), tr("the pull that was recorded last")};
+    return {handover.project.scene, tr("the project's scene")};
 }
 
 std::optional<EngineSettings> ExportController::askedSettings(const Handover& handover,
                                                               const Exporter& exporter) {
     if (!exporter.isStepped && differencesOf(handover, exporter).list.empty()) return EngineSettings{};
-    const Scene tried = exporter.canBeTried ? triedScene(handover) : Scene{};
-    ExportDialog dialog(exporter, handover, tried, &m_window);
+    TriedMotion tried = exporter.canBeTried ? triedMotion(handover) : TriedMotion{};
+    ExportDialog dialog(exporter, handover, std::move(tried), &m_window);
     if (ask(m_window, [&] { return dialog.exec(); }) != QDialog::Accepted) return std::nullopt;
     return dialog.settings();
 }

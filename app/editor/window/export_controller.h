@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "app/editor/document/document.h"
 #include "core/exchange/simulators/exporters.h"
 
@@ -33,7 +34,7 @@ private:
     /// Nothing where the user gives up.
     std::optional<EngineSettings> askedSettings(const Handover& handover, const Exporter& exporter);
 
-    Scene triedScene(const Handover& handover) const;
+    TriedMotion triedMotion(const Handover& handover) const;
 
     QWidget& m_window;
     Document& m_document;

@@ -17,6 +17,7 @@ namespace {
 constexpr std::uint32_t magic = 0x46546C67, jsonChunk = 0x4E4F534A, binaryChunk = 0x004E4942;
 constexpr std::size_t headerSize = 12, chunkHeaderSize = 8;
 constexpr unsigned uint32Component = 5125, float32Component = 5126;
+constexpr const char* remedy = "; get it again from where it came";
 
 const char* nameOf(GltfType type) {
     constexpr std::array names{"SCALAR", "VEC2", "VEC3", "VEC4"};
@@ -61,7 +62,7 @@ std::size_t announcedSize(const Bytes& file) {
     const std::uint32_t announced = wordAt(file, 8);
     if (announced < headerSize || announced > file.size())
         throw InvalidModel("is cut off or damaged: its header speaks of " + std::to_string(announced) +
-                           " bytes, but it has " + std::to_string(file.size()));
+                           " bytes, but it has " + std::to_string(file.size()) + remedy);
     return announced;
 }
 
@@ -93,7 +94,7 @@ Glb parseGlb(const Bytes& file) {
     const GlbParts parts = glbParts(file);
     if (const std::uint32_t announced = wordAt(file, 8); announced != file.size())
         throw InvalidModel("is damaged: its header speaks of " + std::to_string(announced) +
-                           " bytes, but it has " + std::to_string(file.size()));
+                           " bytes, but it has " + std::to_string(file.size()) + remedy);
     return {parseJson(parts.json, parts.jsonEnd), Bytes(parts.binary, parts.binaryEnd)};
 }
 
@@ -107,9 +108,10 @@ GlbParts glbParts(const Bytes& file) {
         place += chunkHeaderSize;
         if (size > end - place)
             throw InvalidModel("is cut off or damaged: its part at byte " + std::to_string(place) +
-                               " announces " + std::to_string(size) + " bytes");
+                               " announces " + std::to_string(size) + " bytes" + remedy);
         place += size;
-        if (!parts.json && type != jsonChunk) throw InvalidModel("is damaged: its first part is not JSON");
+        if (!parts.json && type != jsonChunk)
+            throw InvalidModel(std::string("is damaged: its first part is not JSON") + remedy);
         if (!parts.json) {
             parts.json = reinterpret_cast<const char*>(content);
             parts.jsonEnd = parts.json + size;
@@ -118,7 +120,7 @@ GlbParts glbParts(const Bytes& file) {
             parts.binaryEnd = content + size;
         }
     }
-    if (!parts.json) throw InvalidModel("is damaged: it has no JSON");
+    if (!parts.json) throw InvalidModel(std::string("is damaged: it has no JSON") + remedy);
     return parts;
 }
 

@@ -21,6 +21,9 @@ struct Differences {
     double timeStep = 0;      ///< s, that it is handed over with
     double largestStep = 0;   ///< s, predicted for that scheme; infinite where it has no limit
     std::string refusal = {}; ///< why it cannot be handed over; empty where it can, else all that there is
+
+    /// Whether the step that it is handed over with is longer than the target bears.
+    bool blowsUp() const { return !scheme.empty() && timeStep > largestStep; }
 };
 
 } // namespace esm

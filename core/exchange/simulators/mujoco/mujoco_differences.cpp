@@ -82,16 +82,12 @@ std::string lagText(double lag) {
                               : "without bound, since no viscosity holds the organ";
 }
 
-void addMujocoStep(const MujocoSubject& subject, const Differences& differences, MujocoDifferences& list) {
-    const MujocoStep& step = subject.step;
+void addMujocoStep(const MujocoStep& step, MujocoDifferences& list) {
     if (step.lag > 0)
         list.push_back({"MuJoCo takes viscosity between nodes explicitly, which is stable up to steps of " +
                             secondsText(step.largestPlain),
                         "joints have armature for steps of " + secondsText(step.timeStep) +
                             ", by which slow motion comes later, " + lagText(step.lag)});
-    if (step.timeStep > differences.largestStep)
-        list.push_back({"MuJoCo's steps of " + secondsText(step.timeStep),
-                        "they will blow up: the largest stable step is shorter"});
 }
 
 Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
@@ -102,7 +98,7 @@ Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
         {}, mujocoScheme, subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
     addMujocoTissue(system, differences.list);
     if (subject.damping == Damping::Axial) differences.list.push_back(axialDifference());
-    addMujocoStep(subject, differences, differences.list);
+    addMujocoStep(subject.step, differences.list);
     addMujocoScene(handover.project.scene, differences.list);
     addMujocoDrawing(handover, differences.list);
     return differences;

@@ -21,8 +21,8 @@ void checkMujocoNodes(const SpringSystem& system) {
     if (nodes > mostMujocoNodes)
         throw InvalidModel("MuJoCo is given at most " + std::to_string(mostMujocoNodes) +
                            " nodes, since it keeps a row of all joints for every spring, and the organ has " +
-                           std::to_string(nodes) + ": import it again with that many (esmc import --detail " +
-                           std::to_string(mostMujocoNodes) + "), or hand it over to SOFA");
+                           std::to_string(nodes) + ": import it again with a detail of " +
+                           std::to_string(mostMujocoNodes) + ", or hand it over to SOFA");
     for (std::size_t node = 0; node < nodes; ++node)
         if (system.mass[node] < leastMujocoMass)
             throw InvalidModel("node " + std::to_string(node) + " weighs " + roundedText(system.mass[node]) +
@@ -57,11 +57,10 @@ void checkMujocoMemory(const MujocoSubject& subject) {
     const double bytes =
         static_cast<double>(tendonCount(subject)) * 3 * static_cast<double>(moving) * bytesOfEntry;
     if (bytes > mostBytes)
-        throw InvalidModel(
-            "MuJoCo would need " + roundedText(bytes / 1e9, 2) + " GB for " +
-            std::to_string(tendonCount(subject)) + " tendons of " + std::to_string(moving) +
-            " nodes, and has room for " + roundedText(mostBytes / 1e9, 2) +
-            " GB: import it again with fewer nodes (esmc import --detail), or hand it over to SOFA");
+        throw InvalidModel("MuJoCo would need " + roundedText(bytes / 1e9, 2) + " GB for " +
+                           std::to_string(tendonCount(subject)) + " tendons of " + std::to_string(moving) +
+                           " nodes, and has room for " + roundedText(mostBytes / 1e9, 2) +
+                           " GB: import it again with a detail of fewer nodes, or hand it over to SOFA");
 }
 
 void checkMujocoPictures(const Handover& handover, PictureFormat format) {

@@ -31,23 +31,49 @@ TEST_F(ExportControllerTest, SaysWhatWillDifferAndAsksHowAnEngineStepsBeforeItWr
     dialogs.expectNamed("exportDialog", [&](QDialog* dialog) {
         EXPECT_FALSE(std::filesystem::exists(written));
         const auto told = [&](const char* label) { return dialog->findChild<QLabel*>(label)->text(); };
+        auto* accepting = dialog->findChild<QPushButton*>("exportAccept");
+        EXPECT_FALSE(accepting->isEnabled());
+        ESM_EVENTUALLY(accepting->isEnabled());
         EXPECT_TRUE(told("exportDifferences").contains("instruments"));
         EXPECT_TRUE(told("exportSteps").contains("any length"));
         auto* damping = dialog->findChild<QComboBox*>("exportDamping");
         auto* step = dialog->findChild<NumberField*>("exportTimeStep");
         EXPECT_EQ(step->value(), 0.005);
         damping->setCurrentIndex(1);
+        ESM_EVENTUALLY(told("exportSteps").contains("not stable"));
         EXPECT_LT(step->value(), 1e-5);
-        EXPECT_TRUE(told("exportSteps").contains("not stable"));
         damping->setCurrentIndex(0);
+        ESM_EVENTUALLY(told("exportSteps").contains("any length"));
         EXPECT_EQ(step->value(), 0.005);
         step->selectAll();
         QTest::keyClicks(step, "2");
-        dialog->findChild<QPushButton*>("exportAccept")->click();
+        QTest::keyClick(step, Qt::Key_Return);
     });
     window->files().exports().exportTo(written);
     const Bytes scene = readFile(written / "organ.scn");
     EXPECT_NE(std::string(scene.begin(), scene.end()).find("dt=\"0.002\""), std::string::npos);
+}
+
+/// Who exports before it is known is told first, and one press takes the step that does not blow up.
+TEST_F(ExportControllerTest, WarnsOfAStepThatBlowsUpAndOffersTheUsualOne) {
+    dialogs.expectNamed("exportDialog", [&](QDialog* dialog) {
+        auto* warning = dialog->findChild<QLabel*>("exportBlowUp");
+        auto* usual = dialog->findChild<QPushButton*>("exportUsualStep");
+        auto* step = dialog->findChild<NumberField*>("exportTimeStep");
+        dialog->findChild<QComboBox*>("exportDamping")->setCurrentIndex(1);
+        ESM_EVENTUALLY(step->value() && *step->value() < 1e-5);
+        EXPECT_FALSE(warning->isVisible());
+        const auto usualStep = step->value();
+        typeInto(step, "5.0");
+        QTest::mouseClick(dialog->findChild<QPushButton*>("exportAccept"), Qt::LeftButton);
+        ESM_EVENTUALLY(warning->isVisible());
+        EXPECT_TRUE(warning->text().contains("blow up")) << warning->text().toStdString();
+        usual->click();
+        ESM_EVENTUALLY(!warning->isVisible());
+        EXPECT_EQ(step->value(), usualStep);
+        dialog->reject();
+    });
+    window->files().exports().exportTo(written);
 }
 
 TEST_F(ExportControllerTest, WritesNothingWhereTheQuestionIsCancelled) {
@@ -117,11 +143,13 @@ TEST_F(ExportToSofaTest, TriesTheRecordedPull) {
     const double taken = poke->recordedTime();
     ESM_EVENTUALLY(poke->recordedTime() > taken + 0.3);
     poke->stop();
-    QString said;
+    QString said, motion;
     tryIt("sofaTrialDialog", [&](QDialog* dialog) {
         said = dialog->findChild<CurveChart*>()->spokenValue();
+        motion = dialog->findChild<QLabel*>("sofaTrialMotion")->text();
         dialog->reject();
     });
+    EXPECT_TRUE(motion.contains("the pull that was recorded")) << motion.toStdString();
     EXPECT_TRUE(
         QRegularExpression("^here, [0-9.]+ s: [1-9][0-9.]* mm; in SOFA, [0-9.]+ s: 0").match(said).hasMatch())
         << said.toStdString();
@@ -130,14 +158,17 @@ TEST_F(ExportToSofaTest, TriesTheRecordedPull) {
 TEST_F(ExportToSofaTest, ShowsTheMotionHereAndInSofa) {
     const esm::test::WithVariable named("ESM_RUNSOFA", esm::test::standInSofa());
     open(esm::test::falling(makeSample("tube")));
-    QString said, error, times;
+    QString said, motion, error, times;
     tryIt("sofaTrialDialog", [&](QDialog* dialog) {
         said = dialog->findChild<CurveChart*>()->spokenValue();
+        motion = dialog->findChild<QLabel*>("sofaTrialMotion")->text();
         error = dialog->findChild<QLabel*>("sofaTrialError")->text();
         times = dialog->findChild<QLabel*>("sofaTrialTimes")->text();
         dialog->reject();
     });
     EXPECT_EQ(said.toStdString(), "here, 0.100 s: 49.1 mm; in SOFA, 0.100 s: 49.1 mm");
+    EXPECT_TRUE(motion.contains("the project's scene")) << motion.toStdString();
+    EXPECT_TRUE(error.contains("within 1 %")) << error.toStdString();
     EXPECT_TRUE(error.contains("20 times")) << error.toStdString();
     EXPECT_TRUE(times.contains("in SOFA in steps of 5.00 ms")) << times.toStdString();
 }

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/editor/workers/difference_finder.h"
+
+#include <QString>
+
+namespace esm {
+
+/// How far the search for what will differ is.
+QString searchText(double share);
+
+/// What will differ, as rich text.
+QString differencesText(const Differences& differences);
+
+/// Which steps are stable and who takes them; empty where nobody steps the organ.
+QString stepsText(const Differences& differences);
+
+/// That the motion will blow up, and why; empty where it will not.
+QString blowUpText(const Differences& differences);
+
+} // namespace esm

@@ -1,0 +1,31 @@
+#include "app/editor/workers/difference_finder.h"
+
+#include "app/editor/workers/told_progress.h"
+
+namespace esm {
+
+namespace {
+
+constexpr std::chrono::milliseconds typingPause{120};
+
+DifferenceFinder::Answer found(Differences differences, double share) {
+    return std::make_shared<const FoundDifferences>(FoundDifferences{std::move(differences), share});
+}
+
+DifferenceFinder::Answer differencesFor(const Exporter& exporter, const Handover& handover,
+                                        const DifferenceFinder::Worker::Task& task) {
+    std::atomic<double> done{0};
+    HandoverMeans means;
+    means.engine = task.question;
+    means.progress = toldProgress(task.progress(), done, [&] { task.show(found({}, done)); });
+    return found(differencesOf(handover, exporter, means), 1);
+}
+
+} // namespace
+
+DifferenceFinder::DifferenceFinder(const Exporter& exporter, const Handover& handover, QObject* parent)
+    : DialogWorker([&exporter,
+                    &handover](const Worker::Task& task) { return differencesFor(exporter, handover, task); },
+                   typingPause, parent) {}
+
+} // namespace esm
