@@ -5,6 +5,7 @@
 #include "app/editor/dialogs/export_texts.h"
 #include "app/editor/dialogs/long_work.h"
 #include "app/editor/dialogs/sentence.h"
+#include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "core/exchange/simulators/sofa/sofa_run.h"
 #include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/exchange/simulators/sofa/sofa_trial.h"
@@ -14,6 +15,8 @@
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/quiet_label.h"
 #include "widgets/inputs/refused_numbers.h"
+
+#include <utility>
 
 namespace esm {
 
@@ -51,8 +54,7 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, T
                            QWidget* parent)
     : QDialog(parent), m_exporter(exporter), m_handover(handover), m_tried(std::move(tried)),
       m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)),
-      m_blowUp(wrappedLabel("exportBlowUp", this)),
-      m_usualStep(new QPushButton(tr("Take the &usual step"), this)), m_finder(exporter, handover) {
+      m_blowUp(wrappedLabel("exportBlowUp", this)), m_finder(exporter, handover) {
     setWindowTitle(tr("Export: %1").arg(QString::fromStdString(exporter.title)));
     setObjectName(QStringLiteral("exportDialog"));
     auto* column = new QVBoxLayout(this);
@@ -63,7 +65,7 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, T
     if (exporter.isStepped) addSettings(column);
     addWarning(column);
     column->addWidget(new QLabel(tr("What will differ from here"), this));
-    m_differences->setText(searchText(0));
+    m_differences->setTextFormat(Qt::RichText);
     m_differences->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     m_differences->setMinimumHeight(usualLines * fontMetrics().lineSpacing());
     column->addWidget(m_differences);
@@ -73,6 +75,7 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, T
     addAnswer(column);
     rejectOnEscape(*this);
     enable(m_accepting, false, QString(), tr("What will differ is not known yet"));
+    showSearch(0);
     connect(&m_finder, &DifferenceFinder::answered, this, &ExportDialog::takeAnswer);
     look();
 }
@@ -137,6 +140,8 @@ void ExportDialog::addAnswer(QVBoxLayout* column) {
     buttons->button(QDialogButtonBox::Cancel)->setAutoDefault(false);
     if (m_exporter.canBeTried) addTrial(*buttons);
     column->addWidget(buttons);
+    connect(m_accepting, &QPushButton::pressed, this,
+            [this] { m_wasFoundWhenPressed = m_found.has_value(); });
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -162,6 +167,7 @@ void ExportDialog::addTrial(QDialogButtonBox& buttons) {
 
 void ExportDialog::tryOut() {
     if (!takesAllNumbers(*this)) return;
+    m_acceptsOnceFound = false; // who tries it wants to see that first
     attempt(this, tr("The organ was not tried in SOFA"), [&] {
         const SofaTrial trial = computeLong(
             this, tr("Moving the organ here and in SOFA"),
@@ -170,7 +176,7 @@ void ExportDialog::tryOut() {
                 project.scene = m_tried.scene;
                 HandoverMeans means;
                 means.progress = progress;
-                means.engine = m_settings;
+                means.engine = settings();
                 return tryInSofa(*m_program, std::move(project), means);
             },
             Cancelling::Offered);
@@ -181,6 +187,7 @@ void ExportDialog::tryOut() {
 void ExportDialog::addWarning(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
+    m_usualStep = new QPushButton(tr("Take the &usual step"), this);
     m_blowUp->setProperty("warning", true);
     m_usualStep->ensurePolished();
     m_blowUp->setFixedWidth(textWidth - m_usualStep->sizeHint().width() - row->spacing());
@@ -197,41 +204,61 @@ void ExportDialog::addWarning(QVBoxLayout* column) {
 
 void ExportDialog::takeUsualStep() {
     m_settings.timeStep.reset();
+    m_timeStep->setModified(false);
+    m_timeStep->setFocus();
     look();
 }
 
+/// What was told stays readable, and grey, so that little moves.
 void ExportDialog::look() {
     m_found.reset();
     m_acceptsOnceFound = false;
+    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
+        told->setEnabled(false);
+    if (m_timeStep && !m_settings.timeStep && m_timeStep->refusal().isEmpty())
+        m_timeStep->setValue(std::nullopt);
     m_finder.look(m_settings);
 }
 
 void ExportDialog::takeAnswer() {
+    const bool isWorking = m_finder.isWorking(); // asked first, so that what is done is the last there is
     const auto outcome = m_finder.outcome();
-    if (m_finder.isWorking()) {
-        if (outcome.answer) m_differences->setText(searchText(outcome.answer->share));
-        return;
-    }
-    if (outcome.failure.empty()) return show(outcome.answer->differences);
-    m_differences->setText(sentence(outcome.failure).toHtmlEscaped());
-    enable(m_accepting, false, QString(), m_differences->text());
+    if (isWorking && outcome.answer) showSearch(outcome.answer->share);
+    if (isWorking) return;
+    if (outcome.failure.empty()) return show(*outcome.answer->differences);
+    showFailure(outcome.failure);
+}
+
+void ExportDialog::showSearch(double share) {
+    m_differences->setText(searchText(share, m_acceptsOnceFound));
+}
+
+void ExportDialog::showFailure(const std::string& failure) {
+    const QString reason = tr("What will differ was not found. %1.").arg(sentence(failure));
+    m_differences->setText(reason.toHtmlEscaped());
+    m_differences->setEnabled(true);
+    for (QWidget* told : std::initializer_list<QWidget*>{m_steps, m_blowUp, m_usualStep})
+        told->hide();
+    enable(m_accepting, false, QString(), reason);
     adjustSize();
 }
 
 void ExportDialog::show(const Differences& differences) {
     m_found = differences;
     m_differences->setText(differencesText(differences));
-    for (const auto& [label, text] :
-         {std::pair{m_steps, stepsText(differences)}, std::pair{m_blowUp, blowUpText(differences)}}) {
-        label->setText(text);
-        label->setVisible(!text.isEmpty());
-    }
-    m_usualStep->setVisible(differences.blowsUp());
+    m_steps->setText(stepsText(differences));
+    m_blowUp->setText(blowUpText(differences));
+    m_steps->setVisible(!m_steps->text().isEmpty());
+    m_blowUp->setVisible(differences.blowsUp());
+    m_usualStep->setVisible(differences.blowsUp() && m_settings.timeStep);
+    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
+        told->setEnabled(true);
     const bool canBeHandedOver = differences.refusal.empty();
     enable(m_accepting, canBeHandedOver, QString(), tr("The organ cannot be handed over"));
-    if (m_timeStep && !m_settings.timeStep) m_timeStep->setValue(settings().timeStep);
+    if (m_timeStep && !m_settings.timeStep && m_timeStep->refusal().isEmpty())
+        m_timeStep->setValue(settings().timeStep);
     adjustSize();
-    if (m_acceptsOnceFound && canBeHandedOver && !differences.blowsUp()) QDialog::accept();
+    if (std::exchange(m_acceptsOnceFound, false) && canBeHandedOver && !differences.blowsUp()) accept();
 }
 
 /// With the step that is told, which takes long to find.
@@ -243,8 +270,17 @@ EngineSettings ExportDialog::settings() const {
 
 void ExportDialog::accept() {
     if (!takesAllNumbers(*this)) return;
-    if (m_found) return QDialog::accept();
-    m_acceptsOnceFound = true;
+    if (!m_found) {
+        m_acceptsOnceFound = true;
+        return showSearch(0);
+    }
+    if (m_wasFoundWhenPressed || !m_found->blowsUp()) QDialog::accept();
+}
+
+void ExportDialog::done(int result) {
+    m_finder.disconnect(this);
+    m_acceptsOnceFound = false;
+    QDialog::done(result);
 }
 
 } // namespace esm

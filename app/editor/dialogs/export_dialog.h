@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "app/editor/workers/difference_finder.h"
+#include "app/editor/workers/pulled_scene.h"
 #include "widgets/inputs/number_field.h"
 
 #include <QComboBox>
@@ -15,8 +15,9 @@
 namespace esm {
 
 /// Says what of an organ will differ in the program that it is handed to, and asks how that is to step it.
-/// What will differ is found beside the window, again after each change. Who accepts before it is found is
-/// taken at their word once it is, unless the motion would blow up, or nothing can be handed over.
+/// What will differ is looked for beside the window, anew after each change. Export may be pressed before it
+/// is found again: the dialog then closes by itself, unless the motion would blow up or nothing can be handed
+/// over.
 class ExportDialog : public QDialog {
     Q_OBJECT
 
@@ -29,6 +30,8 @@ public:
     EngineSettings settings() const; ///< as chosen
     /// Not while a number in it is refused.
     void accept() override;
+    /// What is found later changes nothing more.
+    void done(int result) override;
 
 private:
     void addSettings(QVBoxLayout* column);
@@ -42,6 +45,8 @@ private:
     void look();
     void takeUsualStep();
     void takeAnswer();
+    void showSearch(double share);
+    void showFailure(const std::string& failure);
     void show(const Differences& differences);
 
     const Exporter& m_exporter;
@@ -51,10 +56,11 @@ private:
     EngineSettings m_settings;
     std::optional<Differences> m_found; ///< by these settings; none while they are looked for
     bool m_acceptsOnceFound = false;
-    NumberField* m_timeStep = nullptr; ///< null where no engine steps what is written
+    bool m_wasFoundWhenPressed = false; ///< so that nobody accepts what appears during the press
+    NumberField* m_timeStep = nullptr;  ///< null where no engine steps what is written
     QLabel *m_differences, *m_steps, *m_blowUp;
-    QPushButton *m_usualStep, *m_accepting = nullptr;
-    DifferenceFinder m_finder; ///< the last, so that it ends before what it tells
+    QPushButton *m_usualStep = nullptr, *m_accepting = nullptr;
+    DifferenceFinder m_finder; ///< last: destroyed first, its thread ends while all else still stands
 };
 
 } // namespace esm

@@ -18,8 +18,10 @@ QString inMilliseconds(double seconds) {
 
 } // namespace
 
-QString searchText(double share) {
-    return QObject::tr("Looking for what will differ … %1 %").arg(qRound(100 * share));
+QString searchText(double share, bool exports) {
+    const QString text = exports ? QObject::tr("Looking for what will differ, and exporting then … %1 %")
+                                 : QObject::tr("Looking for what will differ … %1 %");
+    return text.arg(qRound(100 * share));
 }
 
 QString differencesText(const Differences& differences) {
@@ -49,8 +51,9 @@ QString stepsText(const Differences& differences) {
 
 QString blowUpText(const Differences& differences) {
     if (!differences.blowsUp()) return {};
-    return QObject::tr("The motion will blow up there: a step of %1 is longer than the largest stable one.")
-        .arg(inMilliseconds(differences.timeStep));
+    return QObject::tr(
+               "The motion will blow up there: steps of %1 are too long. Steps of up to %2 are stable.")
+        .arg(inMilliseconds(differences.timeStep), inMilliseconds(differences.largestStep));
 }
 
 } // namespace esm

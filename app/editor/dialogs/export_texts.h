@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// How far the search for what will differ is.
-QString searchText(double share);
+/// How far the search for what will differ is. @param exports whether the organ is exported then
+QString searchText(double share, bool exports);
 
 /// What will differ, as rich text.
 QString differencesText(const Differences& differences);

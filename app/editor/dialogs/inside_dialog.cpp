@@ -220,9 +220,9 @@ void InsideDialog::lookAgain() {
 }
 
 void InsideDialog::takeAnswer() {
-    if (m_isAnswered || !kind()) return; // it was told before, and the finder may be no more
+    if (m_isAnswered || !kind()) return;       // it was told before, and the finder may be no more
+    const bool isDone = !m_finder.isWorking(); // asked first, so that what is done is the last there is
     const auto outcome = m_finder.outcome();
-    const bool isDone = !m_finder.isWorking();
     if (isDone && !outcome.failure.empty()) {
         m_refusal->setText(sentence(outcome.failure));
         m_cost->clear();

@@ -33,9 +33,10 @@ QString textOfError(const SofaTrial& trial) {
 
 /// The error of SOFA's steps is of first order.
 QString textOfVerdict(const SofaTrial& trial) {
-    return trial.error <= nearError
-               ? QObject::tr("It moves there as it does here, within 1 %.")
-               : QObject::tr("Steps half as long come about twice as near, but for what was said to differ.");
+    if (trial.error <= nearError) return QObject::tr("That is within 1 %: it moves there as it does here.");
+    if (trial.error >= 1) return QObject::tr("That is not the same motion: try much shorter steps.");
+    return QObject::tr("With steps half as long the difference is about half, unless it comes from what the "
+                       "export leaves out.");
 }
 
 QString textOfTimes(const SofaTrial& trial) {

@@ -6,12 +6,6 @@
 
 namespace esm {
 
-/// What moves an organ in a trial.
-struct TriedMotion {
-    Scene scene;
-    QString name; ///< as in "the organ is moved by …"
-};
-
 /// Shows how an organ moved here and in SOFA, one curve over the other, how far both are apart, and how long
 /// each took.
 class SofaTrialDialog : public QDialog {

@@ -8,7 +8,6 @@
 #include "app/editor/dialogs/save_dialog.h"
 #include "app/editor/document/file_memory.h"
 #include "app/editor/workers/poke_test.h"
-#include "app/editor/workers/pulled_scene.h"
 #include "core/offscreen/preview_picture.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/editor/dialogs/sofa_trial_dialog.h"
 #include "app/editor/document/document.h"
+#include "app/editor/workers/pulled_scene.h"
 #include "core/exchange/simulators/exporters.h"
 
 #include <QObject>

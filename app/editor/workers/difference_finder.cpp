@@ -8,17 +8,16 @@ namespace {
 
 constexpr std::chrono::milliseconds typingPause{120};
 
-DifferenceFinder::Answer found(Differences differences, double share) {
-    return std::make_shared<const FoundDifferences>(FoundDifferences{std::move(differences), share});
-}
-
 DifferenceFinder::Answer differencesFor(const Exporter& exporter, const Handover& handover,
                                         const DifferenceFinder::Worker::Task& task) {
     std::atomic<double> done{0};
     HandoverMeans means;
     means.engine = task.question;
-    means.progress = toldProgress(task.progress(), done, [&] { task.show(found({}, done)); });
-    return found(differencesOf(handover, exporter, means), 1);
+    means.progress = toldProgress(task.progress(), done, [&] {
+        task.show(std::make_shared<const FoundDifferences>(FoundDifferences{std::nullopt, done}));
+    });
+    return std::make_shared<const FoundDifferences>(
+        FoundDifferences{differencesOf(handover, exporter, means), 1});
 }
 
 } // namespace

@@ -7,8 +7,8 @@ namespace esm {
 
 /// What of an organ will differ in another program, as far as it is known.
 struct FoundDifferences {
-    Differences differences; ///< once all of the work is done
-    double share = 0;        ///< how much of it is, up to 1
+    std::optional<Differences> differences; ///< none until the work is done
+    double share = 0;                       ///< how much of it is done, up to 1
 };
 
 /// Finds what will differ where an organ is handed over, which takes a while where the largest stable step of

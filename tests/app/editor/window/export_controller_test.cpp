@@ -32,7 +32,6 @@ TEST_F(ExportControllerTest, SaysWhatWillDifferAndAsksHowAnEngineStepsBeforeItWr
         EXPECT_FALSE(std::filesystem::exists(written));
         const auto told = [&](const char* label) { return dialog->findChild<QLabel*>(label)->text(); };
         auto* accepting = dialog->findChild<QPushButton*>("exportAccept");
-        EXPECT_FALSE(accepting->isEnabled());
         ESM_EVENTUALLY(accepting->isEnabled());
         EXPECT_TRUE(told("exportDifferences").contains("instruments"));
         EXPECT_TRUE(told("exportSteps").contains("any length"));
@@ -64,7 +63,9 @@ TEST_F(ExportControllerTest, WarnsOfAStepThatBlowsUpAndOffersTheUsualOne) {
         ESM_EVENTUALLY(step->value() && *step->value() < 1e-5);
         EXPECT_FALSE(warning->isVisible());
         const auto usualStep = step->value();
-        typeInto(step, "5.0");
+        step->setFocus();
+        step->selectAll();
+        QTest::keyClicks(step, "5.0");
         QTest::mouseClick(dialog->findChild<QPushButton*>("exportAccept"), Qt::LeftButton);
         ESM_EVENTUALLY(warning->isVisible());
         EXPECT_TRUE(warning->text().contains("blow up")) << warning->text().toStdString();
@@ -74,6 +75,25 @@ TEST_F(ExportControllerTest, WarnsOfAStepThatBlowsUpAndOffersTheUsualOne) {
         dialog->reject();
     });
     window->files().exports().exportTo(written);
+}
+
+/// Who has pressed Export already goes on typing: what is written is what the field shows.
+TEST_F(ExportControllerTest, WritesTheStepThatIsTypedWhileItLooks) {
+    dialogs.expectNamed("exportDialog", [&](QDialog* dialog) {
+        auto* accepting = dialog->findChild<QPushButton*>("exportAccept");
+        auto* step = dialog->findChild<NumberField*>("exportTimeStep");
+        ESM_EVENTUALLY(accepting->isEnabled());
+        dialog->findChild<QComboBox*>("exportRelease")->setCurrentIndex(0);
+        accepting->click();
+        EXPECT_TRUE(dialog->findChild<QLabel*>("exportDifferences")->text().contains("exporting then"));
+        QApplication::setActiveWindow(dialog);
+        step->setFocus();
+        step->selectAll();
+        QTest::keyClicks(step, "3");
+    });
+    window->files().exports().exportTo(written);
+    const Bytes scene = readFile(written / "organ.scn");
+    EXPECT_NE(std::string(scene.begin(), scene.end()).find("dt=\"0.003\""), std::string::npos);
 }
 
 TEST_F(ExportControllerTest, WritesNothingWhereTheQuestionIsCancelled) {
