@@ -25,10 +25,13 @@ bool mayReplace(QWidget* window, const QString& file) {
     return box.clickedButton() == replace;
 }
 
+bool hasEnding(const QString& file, const QStringList& endings) {
+    return std::any_of(endings.begin(), endings.end(),
+                       [&](const QString& ending) { return file.endsWith(ending, Qt::CaseInsensitive); });
+}
+
 QString withEnding(const QString& file, const QStringList& endings, int chosen) {
-    for (const QString& ending : endings)
-        if (file.endsWith(ending, Qt::CaseInsensitive)) return file;
-    return file + endings.value(std::max(chosen, 0));
+    return hasEnding(file, endings) ? file : file + endings.value(std::max(chosen, 0));
 }
 
 /// Without one of these; as it is where it has none.
@@ -37,6 +40,23 @@ QString withoutEnding(const QString& name, const QStringList& endings) {
         if (name.endsWith(ending, Qt::CaseInsensitive)) return name.chopped(ending.size());
     return name;
 }
+
+/// Takes the name of a folder that was written before for a name, where Qt's would step into it.
+class NewFileDialog : public QFileDialog {
+public:
+    NewFileDialog(QWidget* window, const NewFile& wanted)
+        : QFileDialog(window, wanted.title, QFileInfo(wanted.suggestedPath).path(), wanted.filter),
+          m_endings(wanted.endings) {}
+
+    void accept() override {
+        const QString typed = selectedFiles().value(0);
+        if (QFileInfo(typed).isDir() && hasEnding(typed, m_endings)) return QDialog::accept();
+        QFileDialog::accept();
+    }
+
+private:
+    QStringList m_endings;
+};
 
 } // namespace
 
@@ -51,7 +71,7 @@ NewFile fileForOthers(const Document& document, const QString& title, const QStr
 }
 
 std::optional<ChosenFile> chooseNewFileAndKind(QWidget* window, const NewFile& wanted) {
-    QFileDialog dialog(window, wanted.title, QFileInfo(wanted.suggestedPath).path(), wanted.filter);
+    NewFileDialog dialog(window, wanted);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
     // The dialog would ask about the name as it was typed, without its ending.

@@ -102,6 +102,22 @@ TEST_F(ExportControllerTest, WritesNothingWhereTheQuestionIsCancelled) {
     EXPECT_FALSE(std::filesystem::exists(written));
 }
 
+/// Qt's dialog would step into it without a word.
+TEST_F(ExportControllerTest, SaysThatAFolderIsThereAlready) {
+    std::filesystem::create_directory(written);
+    writeFileAtomically(written / "mine.txt", std::string("x"));
+    dialogs.expectFile(written);
+    QString problem;
+    dialogs.expectNamed("problemBox", [&](QDialog* box) {
+        problem = qobject_cast<QMessageBox*>(box)->informativeText();
+        box->reject();
+    });
+    window->files().exports().choose();
+    EXPECT_TRUE(dialogs.isDone());
+    EXPECT_TRUE(problem.contains("organ.sofa")) << problem.toStdString();
+    EXPECT_TRUE(std::filesystem::exists(written / "mine.txt"));
+}
+
 TEST_F(ExportControllerTest, AsksNothingOfAPackage) {
     window->files().exports().exportTo(folder / "organ.glb");
     EXPECT_TRUE(std::filesystem::exists(folder / "organ.glb"));
