@@ -173,7 +173,7 @@ TEST_F(MujocoFolder, RefusesMoreNodesThanMujocoHasRoomFor) {
         mesh.triangles.push_back({i, i + 1, i + 2});
     const Project project = makeProject("long", asImported(mesh));
     ASSERT_EQ(project.network->restPositions.size(), 2501U);
-    expectRefused(project, "2501: import it again with that many (esmc import --detail 2500");
+    expectRefused(project, "2501: import it again with a detail of 2500");
 }
 
 TEST_F(MujocoFolder, RefusesMassesThatMujocoTakesForNone) {
