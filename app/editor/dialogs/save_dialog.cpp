@@ -50,7 +50,7 @@ public:
 
     void accept() override {
         const QString typed = selectedFiles().value(0);
-        if (QFileInfo(typed).isDir() && hasEnding(typed, m_endings)) return QDialog::accept();
+        if (QFileInfo(typed).isDir() && hasEnding(typed, m_endings)) return done(QDialog::Accepted);
         QFileDialog::accept();
     }
 
