@@ -47,7 +47,15 @@ template<typename Cells> std::string cornersOf(const Cells& cells) {
     return spaced(corners);
 }
 
-/// What the drawn surface is carried by, and the nodes by themselves where nothing is.
+std::string endsOf(const std::vector<Spring>& springs) {
+    std::vector<std::uint32_t> ends;
+    for (const Spring& spring : springs)
+        ends.insert(ends.end(), {spring.first, spring.second});
+    return spaced(ends);
+}
+
+/// What the drawn surface is carried by, and the springs where nothing is: a mass in SOFA calls nodes by
+/// themselves an error.
 void addTopology(const Handover& handover, XmlText& xml) {
     const SpringNetwork& network = *handover.tissue.network;
     const XmlAttributes nodes{{"name", "topology"}, {"position", spaced(network.restPositions)}};
@@ -63,7 +71,7 @@ void addTopology(const Handover& handover, XmlText& xml) {
     else if (!surface.empty())
         xml.add("TriangleSetTopologyContainer", with("triangles", cornersOf(surface)));
     else
-        xml.add("PointSetTopologyContainer", with("nbPoints", std::to_string(network.restPositions.size())));
+        xml.add("EdgeSetTopologyContainer", with("edges", endsOf(network.springs)));
 }
 
 std::string springList(const SofaSubject& subject) {

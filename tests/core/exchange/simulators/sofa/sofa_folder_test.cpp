@@ -132,6 +132,15 @@ TEST_F(SofaFolder, HasMassesAndThePlaceOfEveryNode) {
               3 * project.mesh->triangles.size());
 }
 
+/// DiagonalMass says "Topology empty" of points without cells.
+TEST_F(SofaFolder, OrgansWithoutASurfaceHaveTheirSpringsAsCells) {
+    const Project project = makeSample("uterus");
+    const SofaReader scene = exported(project);
+    EXPECT_EQ(scene.positions(), project.network->restPositions);
+    EXPECT_EQ(scene.only("EdgeSetTopologyContainer").numbers("edges").size(),
+              2 * project.network->springs.size());
+}
+
 TEST_F(SofaFolder, ForcesAndLedNodesKeepTheirTimes) {
     Project project = bareProject();
     project.scene.fixed.clear();
