@@ -69,11 +69,11 @@ public:
             placed.push_back(givenInstrument(placed.size(), instrument));
         m_loads.instruments = std::move(placed);
     }
-    std::array<double, 3> impulse(std::size_t instrument) const {
+    py::array_t<double> impulse(std::size_t instrument) const {
         const std::vector<InstrumentTouch>& touches = simulation().instrumentTouches();
-        if (instrument >= touches.size()) return {};
-        const Eigen::Vector3d& given = touches[instrument].impulse;
-        return {given.x(), given.y(), given.z()};
+        const Eigen::Vector3d given =
+            instrument < touches.size() ? touches[instrument].impulse : Eigen::Vector3d(0, 0, 0);
+        return py::array_t<double>(3, given.data());
     }
 
     /// In parts that are short enough for Ctrl-C.

@@ -116,7 +116,10 @@ class ModuleTest(Case):
             simulation.place_instruments([esm.Instrument(radius, place)])
             simulation.step()
         self.assertGreater(numpy.linalg.norm(simulation.vertices() - place, axis=1).min(), 0.99 * radius)
-        self.assertGreater(simulation.instrument_impulse()[0], 0)
+        before = simulation.instrument_impulse()
+        self.assertGreater(before[0], 0)
+        simulation.step()
+        self.assertGreater((simulation.instrument_impulse() - before)[0], 0)
         self.assertEqual(list(simulation.instrument_impulse(1)), [0, 0, 0])
 
     def test_steps_as_is_recommended(self):

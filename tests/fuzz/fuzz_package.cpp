@@ -43,7 +43,9 @@ void fitSumOfJson(std::vector<Bytes>& chunks) {
         chunks[0].push_back(' ');
     try {
         const nlohmann::ordered_json json = jsonFrom(chunks[0]);
-        const nlohmann::ordered_json& sums = json.at("bufferViews").back();
+        const nlohmann::ordered_json& views = json.at("bufferViews");
+        if (views.empty()) return;
+        const nlohmann::ordered_json& sums = views.back();
         const std::size_t end =
             sums.at("byteOffset").get<std::size_t>() + sums.at("byteLength").get<std::size_t>();
         Bytes sum;

@@ -29,6 +29,10 @@ class CompareWithSofa(unittest.TestCase):
         there = {0.0: [(0.123456, 0, 0)], 0.1: [(0.133456, 0, 0)]}
         self.assertLess(sofa.relative_error(here, there, 0.01), 1e-12)
 
+    def test_a_node_that_begins_elsewhere_is_off_there_alone(self):
+        here = {0.0: [(0.1, 0, 0)], 0.1: [(0.2, 0, 0)]}
+        self.assertEqual(sofa.relative_error(here, {0.0: [(0.11, 0, 0)], 0.1: [(0.2, 0, 0)]}, 0.01), 0)
+
     def test_states_are_read_as_sofa_writes_them(self):
         with tempfile.TemporaryDirectory() as folder:
             state = Path(folder) / "state.txt"
@@ -38,7 +42,18 @@ class CompareWithSofa(unittest.TestCase):
     def test_without_sofa_it_says_so(self):
         process = subprocess.run([sys.executable, SCRIPTS / "compare_with_sofa.py", "organ.esm", "--runsofa", "no-such-program"], capture_output=True, text=True)
         self.assertEqual((process.returncode, process.stdout), (3, ""))
-        self.assertIn("no runSofa is installed", process.stderr)
+        self.assertIn("no-such-program", process.stderr)
+
+    def test_another_release_than_the_installed_one_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = Path(folder) / "runSofa-26.06.00"
+            program.write_text("#!/bin/sh\n")
+            program.chmod(0o755)
+            for options, said in ((["--release", "24.06"], "is of release 26.06"), (["--dt", "0"], "above 0"), (["--dt", "nan"], "above 0")):
+                process = subprocess.run([sys.executable, SCRIPTS / "compare_with_sofa.py", "organ.esm", "--runsofa", program, *options],
+                                         capture_output=True, text=True)
+                self.assertEqual((process.returncode, process.stdout), (1, ""))
+                self.assertIn(said, process.stderr)
 
 
 if __name__ == "__main__":

@@ -62,12 +62,11 @@ SofaTrialDialog::SofaTrialDialog(const SofaTrial& trial, const QString& motion, 
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 18);
     column->setSpacing(12);
-    column->addWidget(
-        figureLabel("sofaTrialMotion",
-                    tr("The organ is moved by %1. Shown is how far the node that moves farthest "
-                       "is from its place at rest.")
-                        .arg(motion),
-                    this));
+    column->addWidget(figureLabel("sofaTrialMotion",
+                                  tr("The organ is moved by %1. Shown is how far the node that moves "
+                                     "farthest without being led is from its place at rest.")
+                                      .arg(motion),
+                                  this));
     auto* chart = new CurveChart(this);
     chart->setObjectName(QStringLiteral("sofaTrialChart"));
     chart->setAxes({tr("time"), QStringLiteral("s")}, {tr("distance"), QStringLiteral("mm")});

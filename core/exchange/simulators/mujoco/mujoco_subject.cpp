@@ -43,6 +43,14 @@ std::vector<char> eitherOf(const std::vector<char>& first, const std::vector<cha
     return either;
 }
 
+/// What leads a node sees to where it is, whatever the step: it is as one that is fixed.
+TissueModel heldTissue(TissueModel tissue, const std::vector<char>& still) {
+    tissue.fixedNodes.clear();
+    for (std::uint32_t node = 0; node < still.size(); ++node)
+        if (still[node]) tissue.fixedNodes.push_back(node);
+    return tissue;
+}
+
 std::size_t tendonCount(const MujocoSubject& subject) {
     std::size_t count = 3 * subject.rows.size();
     for (const auto& spring : subject.system.springs)
@@ -79,13 +87,14 @@ MujocoSubject mujocoSubject(const Handover& handover, const SpringSystem& system
     subject.still = eitherOf(subject.led, system.fixed);
     if (subject.damping == Damping::Isotropic) subject.rows = dampingRows(system, subject.still);
     checkMujocoMemory(subject);
-    subject.step =
-        mujocoStep(handover.tissue, {system, subject.still}, means.engine.timeStep, means.progress);
+    subject.step = mujocoStep(heldTissue(handover.tissue, subject.still), {system, subject.still},
+                              means.engine.timeStep, means.progress);
     return subject;
 }
 
 double largestStepOf(const MujocoSubject& subject, const Progress& progress) {
-    return largestMujocoStep(subject.handover.tissue, subject.step.armature, progress);
+    return largestMujocoStep(heldTissue(subject.handover.tissue, subject.still), subject.step.armature,
+                             progress);
 }
 
 } // namespace esm

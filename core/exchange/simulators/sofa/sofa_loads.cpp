@@ -1,7 +1,5 @@
 #include "core/exchange/simulators/sofa/sofa_loads.h"
 
-#include <algorithm>
-
 namespace esm {
 
 namespace {
@@ -20,19 +18,20 @@ void addForce(const NodeForce& force, const SofaSubject& subject, XmlText& xml) 
                                                                                 Eigen::Vector3d::Zero()})}});
 }
 
-/// The constraint lets go of its nodes before its first key and beyond its last: the path goes on there.
+/// The constraint lets go of its nodes before its first key and beyond its last: the path goes on there. At
+/// the end of a step it puts them where the path is at the step's begin, so that all keys are a step earlier.
 void addMove(const NodeMove& move, const SofaSubject& subject, XmlText& xml) {
     std::vector<double> times;
     std::vector<Eigen::Vector3d> places;
     const auto addKey = [&](double time, const Eigen::Vector3d& place) {
-        times.push_back(time);
+        times.push_back(time - subject.timeStep);
         places.push_back(place);
     };
     if (move.path.front().time > 0) addKey(0, move.path.front().value);
     for (const PathPoint& point : move.path)
         addKey(point.time, point.value);
     constexpr double forEver = 1e9; // s
-    addKey(times.back() + forEver, places.back());
+    addKey(forEver, places.back());
     xml.add(
         subject.release.movedConstraint,
         {{"indices", std::to_string(move.node)}, {"keyTimes", spaced(times)}, {"movements", spaced(places)}});
@@ -45,10 +44,8 @@ void addSofaLoads(const SofaSubject& subject, XmlText& xml) {
     const std::size_t nodes = subject.system.mass.size();
     for (const NodeForce& force : scene.forces)
         if (force.node < nodes && force.to > force.from) addForce(force, subject, xml);
-    const std::vector<std::uint32_t>& fixed = subject.handover.tissue.fixedNodes;
     for (const NodeMove& move : scene.moves)
-        if (move.node < nodes && !std::binary_search(fixed.begin(), fixed.end(), move.node))
-            addMove(move, subject, xml);
+        if (move.node < nodes && !subject.system.fixed[move.node]) addMove(move, subject, xml);
 }
 
 } // namespace esm

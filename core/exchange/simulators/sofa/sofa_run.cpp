@@ -118,7 +118,7 @@ void requireRelease(const fs::path& program, SofaVersion wanted) {
     if (release && *release != wanted)
         throw FileError(program, std::string("is of release ") + wordOf(*release) +
                                      ", and the organ is handed over for " + wordOf(wanted) +
-                                     "; choose release " + wordOf(*release));
+                                     "; choose that release, or name a runSofa of the other by ESM_RUNSOFA");
 }
 
 /// What SOFA says on the way is no sign: a release without graphics names missing parts of drawing as errors,

@@ -86,12 +86,16 @@ bool hasMotion(const SofaFrames& frames) {
                        [&](const auto& frame) { return frame != frames.front(); });
 }
 
-std::uint32_t farthestNode(const SofaFrames& frames) {
+/// Of those that nothing leads: the others are in one place here and there, whatever the tissue does.
+std::uint32_t farthestNode(const SofaFrames& frames, const std::vector<NodeMove>& moves) {
+    std::vector<char> isLed(frames.front().size(), 0);
+    for (const NodeMove& move : moves)
+        isLed.at(move.node) = 1;
     std::uint32_t farthest = 0;
     double most = 0;
     for (const auto& frame : frames)
         for (std::size_t node = 0; node < frame.size(); ++node) {
-            const double way = (frame[node] - frames.front()[node]).squaredNorm();
+            const double way = isLed[node] ? 0 : (frame[node] - frames.front()[node]).squaredNorm();
             if (way <= most) continue;
             most = way;
             farthest = static_cast<std::uint32_t>(node);
@@ -106,22 +110,30 @@ std::vector<double> waysOf(std::uint32_t node, const SofaFrames& frames) {
     return ways;
 }
 
-/// SOFA's places from where it wrote those at rest. Each is written alike while it stays, so that what is
-/// rounded off it is lost with that.
+/// What rounding took off a place. More is a way: led nodes are a step ahead as SOFA begins.
+Eigen::Vector3d roundedOff(const Eigen::Vector3d& place, const Eigen::Vector3d& written) {
+    constexpr double writtenDigits = 1e-5; // of a coordinate
+    const Eigen::Array3d off = (place - written).array();
+    return (off.abs() <= writtenDigits * place.array().abs()).select(off, 0.0);
+}
+
+/// SOFA's places with what was rounded off those at rest. Each is written alike while it stays, so that as
+/// much is lost of it later.
 SofaFrames fromSameRest(SofaFrames there, const std::vector<Eigen::Vector3d>& rest) {
     const std::vector<Eigen::Vector3d> written = there.front();
     for (auto& frame : there)
         for (std::size_t node = 0; node < frame.size(); ++node)
-            frame[node] += rest[node] - written[node];
+            frame[node] += roundedOff(rest[node], written[node]);
     return there;
 }
 
 /// What both motions come to.
-SofaTrial comparedTrial(const SofaFrames& here, const SofaFrames& there, const SofaSchedule& schedule) {
+SofaTrial comparedTrial(const SofaFrames& here, const SofaFrames& there, const SofaSchedule& schedule,
+                        const std::vector<NodeMove>& moves) {
     MotionError error;
     for (std::size_t i = 1; i < here.size(); ++i)
         error.add(there[i], here[i], here.front());
-    const std::uint32_t farthest = farthestNode(here);
+    const std::uint32_t farthest = farthestNode(here, moves);
     SofaTrial trial;
     trial.error = error.relative();
     trial.timeStep = schedule.timeStep;
@@ -156,7 +168,7 @@ SofaTrial tryInSofa(const std::filesystem::path& program, Project project, const
     stepped.engine.timeStep = timeStep;
     SofaRun sofa = runInSofa(program, handover, stepped, schedule);
     const SofaFrames there = framesAt(schedule, std::move(sofa.states), program);
-    SofaTrial trial = comparedTrial(here, fromSameRest(there, here.front()), schedule);
+    SofaTrial trial = comparedTrial(here, fromSameRest(there, here.front()), schedule, scene.moves);
     trial.wallHere = wallHere;
     trial.wallThere = sofa.wallPerSimulatedSecond;
     return trial;

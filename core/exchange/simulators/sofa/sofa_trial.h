@@ -11,7 +11,8 @@ namespace esm {
 /// One motion of an organ here and in SOFA.
 struct SofaTrial {
     std::vector<double> times;       ///< s, from the start on
-    std::vector<double> here, there; ///< m, how far the node that moves farthest here is from rest then
+    std::vector<double> here, there; ///< m, how far the node that moves farthest here, of those that nothing
+                                     ///< leads, is from rest then
     double error =
         0; ///< of all nodes at all times, relative to the motion here: √(Σ|x − x_here|² / Σ|x_here − x_0|²)
     double timeStep = 0;                ///< s, in SOFA

@@ -132,6 +132,11 @@ TEST_F(MujocoFolder, TakesLedNodesForHeld) {
     };
     EXPECT_THAT(lagOf(held), testing::HasSubstr("comes later, up to"));
     EXPECT_EQ(lagOf(led), lagOf(held));
+    const Differences ofLed = differencesOf(handoverOf(led), exporter()),
+                      ofHeld = differencesOf(handoverOf(held), exporter());
+    EXPECT_EQ(ofLed.largestStep, ofHeld.largestStep);
+    EXPECT_EQ(ofLed.timeStep, ofHeld.timeStep);
+    EXPECT_FALSE(ofLed.blowsUp());
 }
 
 TEST_F(MujocoFolder, NamesAreWrittenAsTheyAre) {

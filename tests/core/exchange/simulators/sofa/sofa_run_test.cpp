@@ -143,7 +143,7 @@ TEST_F(SofaRuns, NameTheReleaseThatIsInstalledWhereItIsAnother) {
         runInSofa(folder / "runSofa", m_handover, means, m_schedule);
         FAIL();
     } catch (const FileError& error) {
-        EXPECT_THAT(error.what(), AllOf(HasSubstr("for 26.06"), HasSubstr("choose release 24.06")));
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("for 26.06"), HasSubstr("is of release 24.06")));
     }
     means.engine.sofaVersion = SofaVersion::June2024;
     EXPECT_EQ(runInSofa(folder / "runSofa", m_handover, means, m_schedule).states.size(), 21U);
