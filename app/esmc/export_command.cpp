@@ -23,11 +23,12 @@ struct ExportOptions {
     bool isDryRun = false;
 };
 
+constexpr double leastExportedStep = 1e-12, mostExportedStep = 1; // s
 constexpr const char *timeStepOption = "--dt", *dampingOption = "--damping", *sofaOption = "--sofa";
 
 void declareEngine(CLI::App& command, EngineSettings& engine) {
     command.add_option(timeStepOption, engine.timeStep, "Time step of an engine's scene, s")
-        ->check(positiveNumber())
+        ->check(numberWithin(leastExportedStep, mostExportedStep))
         ->option_text("SECONDS");
     addDampingOption(command, engine.damping);
     addChoice(command, sofaOption, engine.sofaVersion, "Release of SOFA to write for; the newest without");

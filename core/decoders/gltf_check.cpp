@@ -295,7 +295,7 @@ GlbParts partsOf(const fs::path& file, const Bytes& content) {
     try {
         return glbParts(content);
     } catch (const InvalidModel& error) {
-        throw FileError(file, std::string(error.what()) + "; export it again");
+        throw FileError(file, error.what());
     }
 }
 

@@ -35,7 +35,8 @@ template<typename List, typename ToText> std::string spacedList(const List& list
 
 } // namespace
 
-XmlText::XmlText() : m_text("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n") {}
+XmlText::XmlText(const std::string& remark)
+    : m_text("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- " + remark + " -->\n") {}
 
 void XmlText::begin(const std::string& element, const XmlAttributes& attributes) {
     m_text += std::string(2 * m_open.size(), ' ') + '<' + element;

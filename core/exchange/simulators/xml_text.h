@@ -15,7 +15,8 @@ using XmlAttributes = std::vector<std::pair<std::string, std::string>>;
 /// XML while it grows, an element a line, those within others moved in.
 class XmlText {
 public:
-    XmlText();
+    /// @param remark for who opens the file as text; of letters and marks without "--"
+    explicit XmlText(const std::string& remark);
 
     void open(const std::string& element, const XmlAttributes& attributes);
     void close(); ///< the element that was opened last

@@ -13,7 +13,10 @@ namespace esm {
 
 namespace {
 
-constexpr const char* mujocoScheme = "MuJoCo's semi-implicit Euler";
+std::string mujocoScheme(const MujocoStep& step) {
+    const std::string scheme = "MuJoCo's semi-implicit Euler";
+    return step.lag > 0 ? scheme + ", with armature for this step" : scheme;
+}
 
 using MujocoDifferences = std::vector<Difference>;
 
@@ -95,7 +98,7 @@ Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
     const SpringSystem system = makeSpringSystem(handover.tissue);
     const MujocoSubject subject = mujocoSubject(handover, system, withProgress(means, parts.next(0.5)));
     Differences differences{
-        {}, mujocoScheme, subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
+        {}, mujocoScheme(subject.step), subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
     addMujocoTissue(system, differences.list);
     if (subject.damping == Damping::Axial) differences.list.push_back(axialDifference());
     addMujocoStep(subject.step, differences.list);

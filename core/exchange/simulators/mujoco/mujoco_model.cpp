@@ -164,7 +164,7 @@ void addSceneText(const Scene& scene, XmlText& xml) {
 
 std::string mujocoModelText(const MujocoSubject& subject) {
     const Project& project = subject.handover.project;
-    XmlText xml;
+    XmlText xml("For MuJoCo from 2.2 on; in m, kg, s and N.");
     xml.open("mujoco", {{"model", project.name}});
     xml.add("option", {{"timestep", exactText(subject.step.timeStep)},
                        {"gravity", spaced(project.scene.gravity)},

@@ -40,7 +40,7 @@ DifferenceList sceneDifferences(const Scene& scene) {
     DifferenceList list;
     if (!movesTissue(sceneInSofa(scene)))
         list.push_back({"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
-                        "it stands still there; give the project a scene that moves it"});
+                        "it stands still there; esmc scene gives the project one that moves it"});
     if (!scene.instruments.empty())
         list.push_back({"instruments of the scene are not handed over",
                         "nothing touches the organ; add instruments and collisions there"});

@@ -5,7 +5,8 @@ namespace esm {
 SofaRelease releaseOf(SofaVersion version) {
     const bool isLate = version >= SofaVersion::December2024;
     const bool isNamedProjective = version >= SofaVersion::June2024;
-    return {.springField = isLate ? "SpringForceField" : "StiffSpringForceField",
+    return {.version = version,
+            .springField = isLate ? "SpringForceField" : "StiffSpringForceField",
             .fixedConstraint = isNamedProjective ? "FixedProjectiveConstraint" : "FixedConstraint",
             .movedConstraint =
                 isNamedProjective ? "LinearMovementProjectiveConstraint" : "LinearMovementConstraint",

@@ -6,6 +6,7 @@ namespace esm {
 
 /// What differs between releases of SOFA, as their sources have it.
 struct SofaRelease {
+    SofaVersion version;
     const char* springField;     ///< springs that are stiff in the solver's matrix
     const char* fixedConstraint; ///< of nodes that do not move
     const char* movedConstraint; ///< of nodes that are led

@@ -255,7 +255,7 @@ bool isDrawn(const SofaSubject& subject) {
 }
 
 std::string sofaSceneText(const SofaSubject& subject) {
-    XmlText xml;
+    XmlText xml(std::string("For SOFA ") + wordOf(subject.release.version) + "; in m, kg, s and N.");
     xml.open("Node", {{"name", "root"},
                       {"dt", exactText(subject.timeStep)},
                       {"gravity", spaced(subject.handover.project.scene.gravity)}});
