@@ -46,8 +46,9 @@ void fitSumOfJson(std::vector<Bytes>& chunks) {
         const nlohmann::ordered_json& views = json.at("bufferViews");
         if (views.empty()) return;
         const nlohmann::ordered_json& sums = views.back();
-        const std::size_t end =
-            sums.at("byteOffset").get<std::size_t>() + sums.at("byteLength").get<std::size_t>();
+        const nlohmann::ordered_json &offset = sums.at("byteOffset"), &length = sums.at("byteLength");
+        if (!offset.is_number_unsigned() || !length.is_number_unsigned()) return;
+        const std::size_t end = offset.get<std::size_t>() + length.get<std::size_t>();
         Bytes sum;
         appendLittleEndian(sum, checksumOf(chunks[0].data(), chunks[0].size()));
         if (end >= sum.size() && end <= chunks[1].size())
