@@ -201,7 +201,10 @@ JsonReader GltfArrayReader::element(const char* list, const JsonReader& referenc
         return reference.nothing();
     }
     const auto place = reference.json().get<std::size_t>();
-    return {(*found)[place], std::string(list) + "/" + std::to_string(place), m_problems};
+    const JsonReader json{(*found)[place], std::string(list) + "/" + std::to_string(place), m_problems};
+    if (!(*found)[place].is_null()) return json;
+    json.addProblem("is nothing, where an object should be");
+    return reference.nothing();
 }
 
 std::size_t GltfArrayReader::count(const JsonReader& accessor) const {
@@ -211,13 +214,13 @@ std::size_t GltfArrayReader::count(const JsonReader& accessor) const {
 
 std::span<const std::uint8_t> GltfArrayReader::view(const JsonReader& reference) const {
     const JsonReader json = element("bufferViews", reference);
+    if (json.json().is_null()) return {};
     const std::size_t whole = m_glb.binary.size(), known = m_problems.size();
     json.member("buffer").integer(0, 0);
     const std::size_t offset = json.has("byteOffset") ? json.member("byteOffset").integer(0, whole) : 0;
     const std::size_t size = json.member("byteLength").integer(1, whole);
     if (json.has("byteStride")) json.addProblem("should have no byteStride");
-    if (m_problems.size() == known && !json.json().is_null() && size <= whole - offset)
-        return Span(m_glb.binary).subspan(offset, size);
+    if (m_problems.size() == known && size <= whole - offset) return Span(m_glb.binary).subspan(offset, size);
     if (m_problems.size() == known) json.addProblem("reaches beyond the file's binary data");
     return {};
 }

@@ -70,6 +70,21 @@ TEST(GltfArrays, ComeBackFromTheirAccessors) {
     EXPECT_THAT(problems, ElementsAre(HasSubstr("used[1] holds 7")));
 }
 
+/// JSON's null is an element of a list, and none of what the list is for.
+TEST(GltfArrays, AnAccessorOrAViewThatIsNullIsAProblem) {
+    for (const char* list : {"accessors", "bufferViews"}) {
+        Glb glb;
+        GltfArrays arrays(glb);
+        glb.json["index"] = arrays.addFloats({1, 2}, GltfType::Scalar, GltfTarget::None);
+        glb.json[list][0] = nullptr;
+        std::vector<std::string> problems;
+        const GltfArrayReader reader(glb, problems);
+        EXPECT_TRUE(
+            reader.floats(JsonReader(glb.json["index"], "index", problems), GltfType::Scalar, 2).empty());
+        EXPECT_THAT(problems, ElementsAre(HasSubstr(std::string(list) + "/0 is nothing")));
+    }
+}
+
 TEST(ByteOrder, ReadsBackWhatItWrote) {
     Bytes bytes;
     appendLittleEndian(bytes, -1.25);
