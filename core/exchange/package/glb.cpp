@@ -201,7 +201,7 @@ JsonReader GltfArrayReader::element(const char* list, const JsonReader& referenc
         return reference.nothing();
     }
     const auto place = reference.json().get<std::size_t>();
-    const JsonReader json{(*found)[place], std::string(list) + "/" + std::to_string(place), m_problems};
+    JsonReader json{(*found)[place], std::string(list) + "/" + std::to_string(place), m_problems};
     if (!(*found)[place].is_null()) return json;
     json.addProblem("is nothing, where an object should be");
     return reference.nothing();
