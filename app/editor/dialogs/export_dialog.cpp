@@ -209,12 +209,16 @@ void ExportDialog::takeUsualStep() {
     look();
 }
 
-/// What was told stays readable, and grey, so that little moves.
+/// What was told of other settings stays readable, and grey, so that little moves.
+void ExportDialog::showAsKnown(bool isKnown) {
+    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
+        told->setEnabled(isKnown);
+}
+
 void ExportDialog::look() {
     m_found.reset();
     m_acceptsOnceFound = false;
-    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
-        told->setEnabled(false);
+    showAsKnown(false);
     if (m_timeStep && !m_settings.timeStep && m_timeStep->refusal().isEmpty())
         m_timeStep->setValue(std::nullopt);
     m_finder.look(m_settings);
@@ -236,7 +240,7 @@ void ExportDialog::showSearch(double share) {
 void ExportDialog::showFailure(const std::string& failure) {
     const QString reason = tr("What will differ was not found. %1.").arg(sentence(failure));
     m_differences->setText(reason.toHtmlEscaped());
-    m_differences->setEnabled(true);
+    showAsKnown(true);
     for (QWidget* told : std::initializer_list<QWidget*>{m_steps, m_blowUp, m_usualStep})
         told->hide();
     enable(m_accepting, false, QString(), reason);
@@ -251,8 +255,7 @@ void ExportDialog::show(const Differences& differences) {
     m_steps->setVisible(!m_steps->text().isEmpty());
     m_blowUp->setVisible(differences.blowsUp());
     m_usualStep->setVisible(differences.blowsUp() && m_settings.timeStep);
-    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
-        told->setEnabled(true);
+    showAsKnown(true);
     const bool canBeHandedOver = differences.refusal.empty();
     enable(m_accepting, canBeHandedOver, QString(), tr("The organ cannot be handed over"));
     if (m_timeStep && !m_settings.timeStep && m_timeStep->refusal().isEmpty())

@@ -45,6 +45,7 @@ private:
     void look();
     void takeUsualStep();
     void takeAnswer();
+    void showAsKnown(bool isKnown);
     void showSearch(double share);
     void showFailure(const std::string& failure);
     void show(const Differences& differences);

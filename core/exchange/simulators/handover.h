@@ -23,6 +23,9 @@ struct Handover {
 /// @throws InvalidModel with every problem of the project and of the tissue that it comes to; Cancelled
 Handover handoverOf(const Project& project, const Progress& progress = {});
 
+/// Of the scene's moves those that lead a node: one that the tissue has, and does not fix.
+std::vector<NodeMove> movesOf(const Handover& handover);
+
 /// How another program's engine is to step the organ.
 struct EngineSettings {
     std::optional<double> timeStep;       ///< s; what suits the engine without

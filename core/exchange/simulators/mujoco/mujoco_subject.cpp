@@ -29,10 +29,10 @@ void checkMujocoNodes(const SpringSystem& system) {
                                " kg, and MuJoCo takes less than 1e-15 kg for nothing: raise the mass");
 }
 
-std::vector<char> ledNodes(const Scene& scene, const std::vector<char>& fixed) {
-    std::vector<char> led(fixed.size(), 0);
-    for (const NodeMove& move : scene.moves)
-        if (move.node < led.size() && !fixed[move.node]) led[move.node] = 1;
+std::vector<char> ledNodes(const Handover& handover) {
+    std::vector<char> led(handover.tissue.mass.size(), 0);
+    for (const NodeMove& move : movesOf(handover))
+        led[move.node] = 1;
     return led;
 }
 
@@ -82,8 +82,7 @@ MujocoSubject mujocoSubject(const Handover& handover, const SpringSystem& system
                             const HandoverMeans& means) {
     checkMujocoNodes(system);
     checkMujocoPictures(handover, means.pictures.format);
-    MujocoSubject subject{
-        handover, system, means.engine.damping, ledNodes(handover.project.scene, system.fixed), {}, {}, {}};
+    MujocoSubject subject{handover, system, means.engine.damping, ledNodes(handover), {}, {}, {}};
     subject.still = eitherOf(subject.led, system.fixed);
     if (subject.damping == Damping::Isotropic) subject.rows = dampingRows(system, subject.still);
     checkMujocoMemory(subject);

@@ -40,12 +40,11 @@ void addMove(const NodeMove& move, const SofaSubject& subject, XmlText& xml) {
 } // namespace
 
 void addSofaLoads(const SofaSubject& subject, XmlText& xml) {
-    const Scene& scene = subject.handover.project.scene;
     const std::size_t nodes = subject.system.mass.size();
-    for (const NodeForce& force : scene.forces)
+    for (const NodeForce& force : subject.handover.project.scene.forces)
         if (force.node < nodes && force.to > force.from) addForce(force, subject, xml);
-    for (const NodeMove& move : scene.moves)
-        if (move.node < nodes && !subject.system.fixed[move.node]) addMove(move, subject, xml);
+    for (const NodeMove& move : movesOf(subject.handover))
+        addMove(move, subject, xml);
 }
 
 } // namespace esm

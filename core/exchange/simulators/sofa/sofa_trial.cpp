@@ -90,7 +90,7 @@ bool hasMotion(const SofaFrames& frames) {
 std::uint32_t farthestNode(const SofaFrames& frames, const std::vector<NodeMove>& moves) {
     std::vector<char> isLed(frames.front().size(), 0);
     for (const NodeMove& move : moves)
-        isLed.at(move.node) = 1;
+        isLed[move.node] = 1;
     std::uint32_t farthest = 0;
     double most = 0;
     for (const auto& frame : frames)
@@ -168,7 +168,7 @@ SofaTrial tryInSofa(const std::filesystem::path& program, Project project, const
     stepped.engine.timeStep = timeStep;
     SofaRun sofa = runInSofa(program, handover, stepped, schedule);
     const SofaFrames there = framesAt(schedule, std::move(sofa.states), program);
-    SofaTrial trial = comparedTrial(here, fromSameRest(there, here.front()), schedule, scene.moves);
+    SofaTrial trial = comparedTrial(here, fromSameRest(there, here.front()), schedule, movesOf(handover));
     trial.wallHere = wallHere;
     trial.wallThere = sofa.wallPerSimulatedSecond;
     return trial;
