@@ -27,6 +27,15 @@ std::string millimetresText(double metres, int digits) {
     return (shown < 100 ? roundedText(shown, digits) : roundedText(std::round(shown))) + " mm";
 }
 
+std::string timeInText(double seconds) {
+    constexpr int digits = 3;
+    constexpr double roundsToOne = 0.9995;
+    if (seconds >= 1000) return roundedText(std::round(seconds)) + " s";
+    if (seconds >= roundsToOne) return roundedText(seconds, digits) + " s";
+    if (seconds >= roundsToOne / 1000) return roundedText(1000 * seconds, digits) + " ms";
+    return roundedText(1e6 * seconds, digits) + " µs";
+}
+
 double toTwoDigitsUp(double value) {
     const double digit = std::pow(10, std::floor(std::log10(value)) - 1);
     return digit * std::ceil(value / digit);

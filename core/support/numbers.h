@@ -34,6 +34,9 @@ std::string roundedText(double value, int digits = 6);
 /// A length for people, of so many significant digits at most: "0.35 mm"; from 100 mm on whole ones.
 std::string millimetresText(double metres, int digits);
 
+/// A time for people, of three significant digits at most: "2.59 µs", "50 ms", "1.5 s".
+std::string timeInText(double seconds);
+
 /// The next number up of two digits. Precondition: above 0.
 double toTwoDigitsUp(double value);
 

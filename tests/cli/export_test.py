@@ -33,6 +33,13 @@ class ExportTest(Case):
         self.assertTrue(any("blow up" in warning for warning in late["warnings"]))
         self.assertFalse(any("blow up" in warning for warning in told.get("warnings", [])))
 
+    def test_warns_of_stable_steps_that_are_too_few_for_the_scene(self):
+        folder = self.file("organ.sofa")
+        told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--dt", "0.7", "--dry-run")
+        self.assertTrue(any("far from that here" in warning for warning in told["warnings"]), told)
+        told = self.done("export", self.tube, "--to", "sofa", "-o", folder, "--dry-run")
+        self.assertNotIn("warnings", told)
+
     def test_what_is_refused_is_told_no_steps(self):
         liver = self.file("liver.esm")
         self.done("sample", "liver", "-o", liver)

@@ -54,7 +54,7 @@ ExportDialog::ExportDialog(const Exporter& exporter, const Handover& handover, T
                            QWidget* parent)
     : QDialog(parent), m_exporter(exporter), m_handover(handover), m_tried(std::move(tried)),
       m_differences(wrappedLabel("exportDifferences", this)), m_steps(wrappedLabel("exportSteps", this)),
-      m_blowUp(wrappedLabel("exportBlowUp", this)), m_finder(exporter, handover) {
+      m_poorStep(wrappedLabel("exportPoorStep", this)), m_finder(exporter, handover) {
     setWindowTitle(tr("Export: %1").arg(QString::fromStdString(exporter.title)));
     setObjectName(QStringLiteral("exportDialog"));
     auto* column = new QVBoxLayout(this);
@@ -188,13 +188,13 @@ void ExportDialog::addWarning(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
     row->setSpacing(12);
     m_usualStep = new QPushButton(tr("Take the &usual step"), this);
-    m_blowUp->setProperty("warning", true);
+    m_poorStep->setProperty("warning", true);
     m_usualStep->ensurePolished();
-    m_blowUp->setFixedWidth(textWidth - m_usualStep->sizeHint().width() - row->spacing());
+    m_poorStep->setFixedWidth(textWidth - m_usualStep->sizeHint().width() - row->spacing());
     m_usualStep->setObjectName(QStringLiteral("exportUsualStep"));
     m_usualStep->setToolTip(tr("The step that suits the program, in place of your own"));
     m_usualStep->setAutoDefault(false);
-    for (QWidget* part : std::initializer_list<QWidget*>{m_blowUp, m_usualStep}) {
+    for (QWidget* part : std::initializer_list<QWidget*>{m_poorStep, m_usualStep}) {
         part->hide();
         row->addWidget(part);
     }
@@ -211,7 +211,7 @@ void ExportDialog::takeUsualStep() {
 
 /// What was told of other settings stays readable, and grey, so that little moves.
 void ExportDialog::showAsKnown(bool isKnown) {
-    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_blowUp, m_usualStep})
+    for (QWidget* told : std::initializer_list<QWidget*>{m_differences, m_steps, m_poorStep, m_usualStep})
         told->setEnabled(isKnown);
 }
 
@@ -241,7 +241,7 @@ void ExportDialog::showFailure(const std::string& failure) {
     const QString reason = tr("What will differ was not found. %1.").arg(sentence(failure));
     m_differences->setText(reason.toHtmlEscaped());
     showAsKnown(true);
-    for (QWidget* told : std::initializer_list<QWidget*>{m_steps, m_blowUp, m_usualStep})
+    for (QWidget* told : std::initializer_list<QWidget*>{m_steps, m_poorStep, m_usualStep})
         told->hide();
     enable(m_accepting, false, QString(), reason);
     adjustSize();
@@ -251,17 +251,17 @@ void ExportDialog::show(const Differences& differences) {
     m_found = differences;
     m_differences->setText(differencesText(differences));
     m_steps->setText(stepsText(differences));
-    m_blowUp->setText(blowUpText(differences));
+    m_poorStep->setText(poorStepText(differences));
     m_steps->setVisible(!m_steps->text().isEmpty());
-    m_blowUp->setVisible(differences.blowsUp());
-    m_usualStep->setVisible(differences.blowsUp() && m_settings.timeStep);
+    m_poorStep->setVisible(differences.hasPoorStep());
+    m_usualStep->setVisible(differences.hasPoorStep() && m_settings.timeStep);
     showAsKnown(true);
     const bool canBeHandedOver = differences.refusal.empty();
     enable(m_accepting, canBeHandedOver, QString(), tr("The organ cannot be handed over"));
     if (m_timeStep && !m_settings.timeStep && m_timeStep->refusal().isEmpty())
         m_timeStep->setValue(settings().timeStep);
     adjustSize();
-    if (std::exchange(m_acceptsOnceFound, false) && canBeHandedOver && !differences.blowsUp()) accept();
+    if (std::exchange(m_acceptsOnceFound, false) && canBeHandedOver && !differences.hasPoorStep()) accept();
 }
 
 /// With the step that is told, which takes long to find.
@@ -277,7 +277,7 @@ void ExportDialog::accept() {
         m_acceptsOnceFound = true;
         return showSearch(0);
     }
-    if (m_wasFoundWhenPressed || !m_found->blowsUp()) QDialog::accept();
+    if (m_wasFoundWhenPressed || !m_found->hasPoorStep()) QDialog::accept();
 }
 
 void ExportDialog::done(int result) {

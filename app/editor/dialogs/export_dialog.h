@@ -59,7 +59,7 @@ private:
     bool m_acceptsOnceFound = false;
     bool m_wasFoundWhenPressed = false; ///< so that nobody accepts what appears during the press
     NumberField* m_timeStep = nullptr;  ///< null where no engine steps what is written
-    QLabel *m_differences, *m_steps, *m_blowUp;
+    QLabel *m_differences, *m_steps, *m_poorStep;
     QPushButton *m_usualStep = nullptr, *m_accepting = nullptr;
     DifferenceFinder m_finder; ///< last: destroyed first, its thread ends while all else still stands
 };

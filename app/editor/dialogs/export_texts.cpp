@@ -49,8 +49,11 @@ QString stepsText(const Differences& differences) {
     return QObject::tr("%1 Stepped by %2.").arg(limit, QString::fromStdString(differences.scheme));
 }
 
-QString blowUpText(const Differences& differences) {
-    if (!differences.blowsUp()) return {};
+QString poorStepText(const Differences& differences) {
+    if (!differences.hasPoorStep()) return {};
+    if (!differences.blowsUp())
+        return QObject::tr("The motion will be far from that here: %1.")
+            .arg(QString::fromStdString(differences.caution));
     return QObject::tr(
                "The motion will blow up there: steps of %1 are too long. Steps of up to %2 are stable.")
         .arg(inMilliseconds(differences.timeStep), inMilliseconds(differences.largestStep));

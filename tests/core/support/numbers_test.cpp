@@ -34,6 +34,16 @@ TEST(NumberText, HasSoManyDigitsAtMost) {
     EXPECT_EQ(roundedText(1e30), "1e+30");
 }
 
+TEST(TimeInText, TakesTheUnitThatItsDigitsFit) {
+    EXPECT_EQ(timeInText(2.5912e-6), "2.59 µs");
+    EXPECT_EQ(timeInText(0.00099949), "999 µs");
+    EXPECT_EQ(timeInText(0.00099951), "1 ms");
+    EXPECT_EQ(timeInText(0.05), "50 ms");
+    EXPECT_EQ(timeInText(0.9996), "1 s");
+    EXPECT_EQ(timeInText(1.5), "1.5 s");
+    EXPECT_EQ(timeInText(4321), "4321 s");
+}
+
 TEST(PercentText, IsForPeople) {
     EXPECT_EQ(percentText(0.0123), "1.2 %");
     EXPECT_EQ(percentText(0.5), "50 %");

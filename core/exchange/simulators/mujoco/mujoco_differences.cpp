@@ -20,11 +20,6 @@ std::string mujocoScheme(const MujocoStep& step) {
 
 using MujocoDifferences = std::vector<Difference>;
 
-std::string secondsText(double seconds) {
-    if (seconds >= 1) return roundedText(seconds, 3) + " s";
-    return seconds < 0.001 ? roundedText(1e6 * seconds, 3) + " µs" : roundedText(1000 * seconds, 3) + " ms";
-}
-
 /// A tendon without length pulls along x.
 bool hasSpringInOnePlace(const SpringSystem& system) {
     const std::vector<Eigen::Vector3d>& places = system.network->restPositions;
@@ -81,24 +76,31 @@ void addMujocoDrawing(const Handover& handover, MujocoDifferences& list) {
 }
 
 std::string lagText(double lag) {
-    return std::isfinite(lag) ? "up to " + secondsText(lag)
+    return std::isfinite(lag) ? "up to " + timeInText(lag)
                               : "without bound, since no viscosity holds the organ";
 }
 
 void addMujocoStep(const MujocoStep& step, MujocoDifferences& list) {
     if (step.lag > 0)
         list.push_back({"MuJoCo takes viscosity between nodes explicitly, which is stable up to steps of " +
-                            secondsText(step.largestPlain),
-                        "joints have armature for steps of " + secondsText(step.timeStep) +
+                            timeInText(step.largestPlain),
+                        "joints have armature for steps of " + timeInText(step.timeStep) +
                             ", by which slow motion comes later, " + lagText(step.lag)});
+}
+
+std::string cautionFor(const MujocoStep& step) {
+    if (step.lag <= noticedMujocoLag) return {};
+    return "slow motion comes later, " + lagText(step.lag) + ", with steps of " + timeInText(step.timeStep);
 }
 
 Differences toldOfMujoco(const Handover& handover, const HandoverMeans& means) {
     ProgressParts parts(means.progress);
     const SpringSystem system = makeSpringSystem(handover.tissue);
     const MujocoSubject subject = mujocoSubject(handover, system, withProgress(means, parts.next(0.5)));
-    Differences differences{
-        {}, mujocoScheme(subject.step), subject.step.timeStep, largestStepOf(subject, parts.rest()), {}};
+    Differences differences{.scheme = mujocoScheme(subject.step),
+                            .timeStep = subject.step.timeStep,
+                            .largestStep = largestStepOf(subject, parts.rest()),
+                            .caution = cautionFor(subject.step)};
     addMujocoTissue(system, differences.list);
     if (subject.damping == Damping::Axial) differences.list.push_back(axialDifference());
     addMujocoStep(subject.step, differences.list);

@@ -12,6 +12,9 @@ namespace esm {
 /// s, by which motion may come later where no step is asked for.
 inline constexpr double mostMujocoLag = 0.001;
 
+/// s, by which motion that comes later is some hundredth off: see `MujocoStep`.
+inline constexpr double noticedMujocoLag = 0.004;
+
 /// How MuJoCo steps a tissue by its semi-implicit Euler. Springs and what is damped between nodes it takes
 /// explicitly; joints' own damping, which is that of tethers, implicitly. Its "implicit" takes of damping
 /// between nodes only what each node has of it, and needs a matrix of all velocities in 2.2.2.

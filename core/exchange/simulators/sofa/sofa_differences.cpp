@@ -4,6 +4,7 @@
 #include "core/exchange/simulators/sofa/sofa_folder.h"
 #include "core/exchange/simulators/sofa/sofa_scene.h"
 #include "core/model/gentle_pull.h"
+#include "core/support/numbers.h"
 
 namespace esm {
 
@@ -57,6 +58,13 @@ std::string schemeOf(Damping damping) {
                                          : "SOFA's EulerExplicitSolver, symplectic";
 }
 
+/// Implicit Euler is stable then too, and damps all that happens between two steps.
+std::string cautionFor(double timeStep, const Scene& scene) {
+    constexpr double fewSteps = 10;
+    if (timeStep * fewSteps <= scene.duration) return {};
+    return "steps of " + timeInText(timeStep) + " are too few for a scene of " + timeInText(scene.duration);
+}
+
 } // namespace
 
 Differences sofaDifferences(const Handover& handover, const HandoverMeans& means) {
@@ -67,6 +75,7 @@ Differences sofaDifferences(const Handover& handover, const HandoverMeans& means
     if (damping == Damping::Axial) differences.list.push_back(axialDifference());
     differences.largestStep = largestSofaStep(handover.tissue, damping, means.progress);
     differences.timeStep = timeStep.value_or(usualSofaStepFor(damping, differences.largestStep));
+    differences.caution = cautionFor(differences.timeStep, handover.project.scene);
     return differences;
 }
 

@@ -56,7 +56,7 @@ TEST_F(ExportControllerTest, SaysWhatWillDifferAndAsksHowAnEngineStepsBeforeItWr
 /// Who exports before it is known is told first, and one press takes the step that does not blow up.
 TEST_F(ExportControllerTest, WarnsOfAStepThatBlowsUpAndOffersTheUsualOne) {
     dialogs.expectNamed("exportDialog", [&](QDialog* dialog) {
-        auto* warning = dialog->findChild<QLabel*>("exportBlowUp");
+        auto* warning = dialog->findChild<QLabel*>("exportPoorStep");
         auto* usual = dialog->findChild<QPushButton*>("exportUsualStep");
         auto* step = dialog->findChild<NumberField*>("exportTimeStep");
         dialog->findChild<QComboBox*>("exportDamping")->setCurrentIndex(1);
@@ -72,6 +72,25 @@ TEST_F(ExportControllerTest, WarnsOfAStepThatBlowsUpAndOffersTheUsualOne) {
         usual->click();
         ESM_EVENTUALLY(!warning->isVisible());
         EXPECT_EQ(step->value(), usualStep);
+        dialog->reject();
+    });
+    window->files().exports().exportTo(written);
+}
+
+TEST_F(ExportControllerTest, WarnsOfAStepThatIsStableAndTooLong) {
+    dialogs.expectNamed("exportDialog", [&](QDialog* dialog) {
+        auto* warning = dialog->findChild<QLabel*>("exportPoorStep");
+        auto* step = dialog->findChild<NumberField*>("exportTimeStep");
+        ESM_EVENTUALLY(step->value());
+        EXPECT_FALSE(warning->isVisible());
+        step->setFocus();
+        step->selectAll();
+        QTest::keyClicks(step, "900");
+        QTest::keyClick(step, Qt::Key_Return);
+        ESM_EVENTUALLY(warning->isVisible());
+        EXPECT_TRUE(warning->text().contains("far from that here")) << warning->text().toStdString();
+        dialog->findChild<QPushButton*>("exportUsualStep")->click();
+        ESM_EVENTUALLY(!warning->isVisible());
         dialog->reject();
     });
     window->files().exports().exportTo(written);
