@@ -126,7 +126,7 @@ std::vector<std::string> warningsOf(const Handover& handover, const Differences&
         warnings.push_back("the motion will blow up: steps of " + inText(differences.timeStep) +
                            " s are longer than the largest stable one; give a shorter --dt, or none");
     else if (!differences.caution.empty())
-        warnings.push_back("the motion will be far from that here: " + differences.caution +
+        warnings.push_back("the motion may be far from that here: " + differences.caution +
                            "; give a shorter --dt, or none");
     return warnings;
 }

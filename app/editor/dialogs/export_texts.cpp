@@ -52,7 +52,7 @@ QString stepsText(const Differences& differences) {
 QString poorStepText(const Differences& differences) {
     if (!differences.hasPoorStep()) return {};
     if (!differences.blowsUp())
-        return QObject::tr("The motion will be far from that here: %1.")
+        return QObject::tr("The motion may be far from that here: %1.")
             .arg(QString::fromStdString(differences.caution));
     return QObject::tr(
                "The motion will blow up there: steps of %1 are too long. Steps of up to %2 are stable.")

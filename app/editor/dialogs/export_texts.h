@@ -15,7 +15,7 @@ QString differencesText(const Differences& differences);
 /// Which steps are stable and who takes them; empty where nobody steps the organ.
 QString stepsText(const Differences& differences);
 
-/// That the step blows up the motion or makes it another one, and why; empty where it does not.
+/// That the step blows up the motion or may make it another one, and why; empty where it does not.
 QString poorStepText(const Differences& differences);
 
 } // namespace esm
