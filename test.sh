@@ -34,4 +34,4 @@ fi
 preset=${1:-release}
 cmake --preset "$preset" ${CI:+-DESM_WARNINGS_AS_ERRORS=ON -DESM_GROUP_TESTS=ON}
 cmake --build --preset "$preset"
-ctest --preset "$preset" --parallel "$(nproc)"
+scripts/run-tests.sh "$preset"
