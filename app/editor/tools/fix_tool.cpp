@@ -13,6 +13,20 @@ namespace {
 /// Share of the radius from one point of a stroke to the next.
 constexpr double fixSpacing = 0.5;
 
+double meanRestLength(const std::vector<Spring>& springs) {
+    double sum = 0;
+    for (const Spring& spring : springs)
+        sum += spring.restLength;
+    return springs.empty() ? 0 : sum / static_cast<double>(springs.size());
+}
+
+/// Where nodes lie far apart, a brush that is small beside the organ would pass between them and fix none.
+double usualRadius(const Project& project) {
+    constexpr double shareOfOrgan = 0.03;
+    return std::max(shareOfOrgan * organBox(*project.mesh, *project.network).diagonal().norm(),
+                    meanRestLength(project.network->springs));
+}
+
 } // namespace
 
 FixTool::FixTool(const ToolContext& context) : m_document(context.document) {
@@ -23,11 +37,9 @@ FixTool::FixTool(const ToolContext& context) : m_document(context.document) {
 void FixTool::followDocument(const Change& change) {
     if (change.isOfHistory) release();
     if (!change.mesh) return;
-    constexpr double shareOfOrgan = 0.03;
-    const Project& project = m_document.project();
     m_stroke.reset();
     m_at.reset();
-    setRadius(shareOfOrgan * organBox(*project.mesh, *project.network).diagonal().norm());
+    setRadius(usualRadius(m_document.project()));
 }
 
 void FixTool::setRadius(double metres) {

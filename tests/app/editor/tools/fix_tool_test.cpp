@@ -64,6 +64,30 @@ TEST_F(FixToolTest, FixesWhatIsSeenWhereItMovedTo) {
         EXPECT_LT((rest(node) - Vector3d(0, 0, 0.1)).norm(), 0.022);
 }
 
+TEST_F(FixToolTest, BeginsWideEnoughForTheNodesOfACoarseOrgan) {
+    edit([this](Project& project) {
+        TriangleMesh coarse = ball(4, 5);
+        for (Vector3d& vertex : coarse.vertices)
+            vertex *= 0.1;
+        project.network = scene.network = edgeNetwork(coarse);
+        project.mesh = scene.mesh = std::make_shared<TriangleMesh>(std::move(coarse));
+    });
+    view.setScene(scene);
+    const TriangleMesh& mesh = *project().mesh;
+    int pressed = 0;
+    for (const Triangle& triangle : mesh.triangles) {
+        const Vector3d centre =
+            (mesh.vertices[triangle[0]] + mesh.vertices[triangle[1]] + mesh.vertices[triangle[2]]) / 3;
+        if (centre.dot(viewDirection()) < 0.02) continue;
+        ++pressed;
+        press(placeOf(centre));
+        release(placeOf(centre));
+        EXPECT_FALSE(fixed().empty()) << "at " << centre.transpose();
+        document.undoStack()->undo();
+    }
+    EXPECT_GT(pressed, 4);
+}
+
 TEST_F(FixToolTest, EscapePutsBackWhatWasFixed) {
     edit([](Project& project) { project.scene.fixed = {{{5}, {}}}; });
     const std::vector<NodeSelection> before = project().scene.fixed;
