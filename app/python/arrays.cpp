@@ -13,8 +13,24 @@ py::array_t<double> copiedPoints(const std::vector<Eigen::Vector3d>& points) {
     return array;
 }
 
+namespace {
+
+using NodeNumbers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+/// NumPy would cut 1.9 down to 1 without a word; to it an empty list is one of real numbers.
+NodeNumbers wholeNumbers(const py::object& given) {
+    const auto numbers = py::array::ensure(given);
+    const bool areWhole =
+        numbers && (numbers.size() == 0 || numbers.dtype().kind() == 'i' || numbers.dtype().kind() == 'u');
+    if (!areWhole) throw InvalidModel("nodes are whole numbers, counted from 0, as [7]");
+    return numbers;
+}
+
+} // namespace
+
 std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>
-vectorsByNode(const char* what, const NodeNumbers& nodes, const Vectors3& vectors, std::size_t nodeCount) {
+vectorsByNode(const char* what, const py::object& given, const Vectors3& vectors, std::size_t nodeCount) {
+    const NodeNumbers nodes = wholeNumbers(given);
     if (nodes.ndim() != 1 || vectors.ndim() != 2 || vectors.shape(0) != nodes.shape(0) ||
         vectors.shape(1) != 3)
         throw InvalidModel("nodes are given as a list, as [7], and a " + std::string(what) +

@@ -53,12 +53,12 @@ template<class Element> py::array sharedRows(const std::vector<Element>& element
 /// A copy, a row for each point.
 py::array_t<double> copiedPoints(const std::vector<Eigen::Vector3d>& points);
 
-using NodeNumbers = py::array_t<std::int64_t, py::array::c_style>;
 using Vectors3 = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// A vector for each of some nodes. @param what "force", for what is said where they cannot be
-/// @throws InvalidModel: other shapes than (n,) and (n, 3), nodes that do not exist, numbers that are none
+/// @throws InvalidModel: other shapes than (n,) and (n, 3), nodes that do not exist, numbers that are none or
+/// not whole where nodes are
 std::vector<std::pair<std::uint32_t, Eigen::Vector3d>>
-vectorsByNode(const char* what, const NodeNumbers& nodes, const Vectors3& vectors, std::size_t nodeCount);
+vectorsByNode(const char* what, const py::object& nodes, const Vectors3& vectors, std::size_t nodeCount);
 
 } // namespace esm::python

@@ -42,11 +42,11 @@ public:
     const std::shared_ptr<const Tissue>& tissue() const { return m_tissue; }
     std::size_t nodeCount() const { return m_tissue->nodeCount(); }
 
-    void setForces(const NodeNumbers& nodes, const Vectors3& forces) {
+    void setForces(const py::object& nodes, const Vectors3& forces) {
         requireStill();
         m_loads.forces = vectorsByNode("force", nodes, forces, nodeCount());
     }
-    void lead(const NodeNumbers& nodes, const Vectors3& places) {
+    void lead(const py::object& nodes, const Vectors3& places) {
         requireStill();
         m_loads.prescribed.clear();
         for (const auto& [node, place] : vectorsByNode("place", nodes, places, nodeCount()))
@@ -77,11 +77,13 @@ public:
     }
 
     /// In parts that are short enough for Ctrl-C.
-    void step(std::size_t count) {
+    void step(std::int64_t count) {
         requireStill();
+        if (count < 0)
+            throw InvalidModel("steps are counted from 0, and " + std::to_string(count) + " is less");
         constexpr std::size_t mostTogether = 64;
-        while (count > 0) {
-            count -= taken(std::min(count, mostTogether));
+        for (auto left = static_cast<std::size_t>(count); left > 0;) {
+            left -= taken(std::min(left, mostTogether));
             if (PyErr_CheckSignals() != 0) throw py::error_already_set();
         }
     }

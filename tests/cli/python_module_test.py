@@ -195,6 +195,9 @@ class ModuleTest(Case):
                 (ValueError, "step", lambda: esm.Simulation(tissue, "euler", -1)),
                 (ValueError, "node 4096", lambda: simulation.set_forces([4096], [[0, 0, 0]])),
                 (ValueError, "node -1", lambda: simulation.lead([-1], [[0, 0, 0]])),
+                (ValueError, "whole numbers", lambda: simulation.set_forces([1.9], [[0, 0, 1]])),
+                (ValueError, "whole numbers", lambda: simulation.lead(["1"], [[0, 0, 1]])),
+                (ValueError, "-1 is less", lambda: simulation.step(-1)),
                 (ValueError, "not finite", lambda: simulation.set_forces([1], [[0, float("nan"), 0]])),
                 (ValueError, "row of three", lambda: simulation.set_forces([1, 2], [[0, 0, 0]])),
                 (ValueError, "gravity", lambda: setattr(simulation, "gravity", (0, float("inf"), 0))),
@@ -206,6 +209,14 @@ class ModuleTest(Case):
                 (ValueError, "fixed", lambda: esm.measure(tissue, {"duration": 1, "fixed": [{"nodes": [1]}]}))):
             with self.subTest(words=words), self.assertRaisesRegex(kind, words):
                 work()
+
+    def test_takes_any_kind_of_whole_numbers_and_none(self):
+        simulation = esm.Simulation(esm.load_package(KEPT[1]))
+        for nodes in (numpy.array([1, 2], numpy.uint8), numpy.array([1, 2], numpy.int64), (1, 2)):
+            simulation.set_forces(nodes, numpy.zeros((2, 3)))
+        simulation.set_forces([], numpy.zeros((0, 3)))
+        simulation.step(0)
+        self.assertEqual(simulation.time, 0)
 
     def test_stops_where_motion_runs_wild(self):
         simulation = esm.Simulation(esm.load_package(self.exported()), "euler", 1)
