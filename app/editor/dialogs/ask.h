@@ -1,14 +1,14 @@
 #pragma once
 
-#include <QWidget>
+#include "app/editor/dialogs/key_window.h"
 
 namespace esm {
 
-/// What a dialog over the window answers. Where a dialog goes, not every desktop gives the keys back to the
-/// window that opened it.
+/// What a dialog over the window answers. The window that had the keys has them again.
 template<typename Dialog> auto ask(QWidget& window, Dialog dialog) {
+    const KeyWindow before(&window);
     auto answer = dialog();
-    window.activateWindow();
+    before.activateAgain();
     return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "app/editor/dialogs/long_work.h"
 
+#include "app/editor/dialogs/key_window.h"
+
 #include <QApplication>
 #include <QDeadlineTimer>
 #include <QEventLoop>
@@ -48,6 +50,7 @@ void waitBriefly(const std::function<bool()>& isDone) {
 
 void runLongWork(QWidget* window, const QString& title, const std::function<void(const Progress&)>& work,
                  Cancelling cancelling) {
+    const KeyWindow before(window);
     std::atomic<int> permille = -1;
     std::atomic<bool> cancelled = false;
     auto done = std::async(std::launch::async, [&] {
@@ -87,9 +90,8 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         // Escape hides the dialog, but the work may take a moment to stop.
         while (!isDone())
             dialog.exec();
-        // Where a dialog goes, not every desktop gives the keys back; one who works elsewhere meanwhile keeps
-        // them.
-        if (window && isInFront) window->activateWindow();
+        // One who works in another program meanwhile keeps the keys.
+        if (isInFront) before.activateAgain();
     }
     done.get();
     if (cancelled && cancelling == Cancelling::Offered) throw Cancelled();

@@ -35,8 +35,10 @@ TEST(LongWork, OffersCancelOnlyWhereItStops) {
     EXPECT_TRUE(dialogs.isDone());
 }
 
-TEST(LongWork, GivesTheKeysBack) {
-    QWidget window;
+TEST(LongWork, GivesTheKeysBackToTheWindowThatHadThem) {
+    QWidget main, window;
+    main.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&main, patience));
     QLineEdit field(&window);
     window.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, patience));
@@ -49,7 +51,7 @@ TEST(LongWork, GivesTheKeysBack) {
         EXPECT_TRUE(QTest::qWaitForWindowActive(dialog, patience));
         dialogHasTheKeys.set_value();
     });
-    runLongWork(&window, "work", [&](const Progress&) { dialogHasTheKeys.get_future().wait(); });
+    runLongWork(&main, "work", [&](const Progress&) { dialogHasTheKeys.get_future().wait(); });
     EXPECT_TRUE(dialogs.isDone());
     ESM_EVENTUALLY(QApplication::activeWindow() == &window && QApplication::focusWidget() == &field);
 }
