@@ -159,7 +159,10 @@ void Journal::noteOutgrown() {
 }
 
 void Journal::noteFailure(const QString& reason) {
-    if (!m_document.isModified()) return end();
+    if (!m_document.isModified()) {
+        end();
+        return tellFailure({});
+    }
     m_isBroken = true;
     m_isRenewed = false;
     m_retry.start();

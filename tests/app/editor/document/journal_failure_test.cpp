@@ -5,6 +5,9 @@
 #include "tests/support/eventually.h"
 
 #include <QApplication>
+#include <QSemaphore>
+
+#include <atomic>
 
 using namespace esm;
 
@@ -106,6 +109,26 @@ TEST_F(JournalFailureTest, HasNothingToTellOnceTheWorkIsSaved) {
     document.markSaved(folder / "tube.esm", document.project());
     ESM_EVENTUALLY(failures.size() == 2);
     EXPECT_EQ(failures[1], "");
+}
+
+TEST_F(JournalFailureTest, HasNothingToTellOnceTheWorkIsSavedWhileItTriesAgain) {
+    std::ofstream(recovery) << "no folder";
+    std::atomic<int> tries = 0;
+    QSemaphore mayFail;
+    JournalHabits slow = retryingSoon();
+    slow.begins = [&](std::uint64_t) {
+        if (++tries == 2) mayFail.tryAcquire(1, patience);
+    };
+    Journal other(document, selection, recovery, nullptr, slow);
+    QStringList told;
+    QObject::connect(&other, &Journal::failed, [&](const QString& reason) { told << reason; });
+    setMass(0.5);
+    ESM_EVENTUALLY(tries == 2);
+    EXPECT_EQ(told.size(), 1);
+    document.markSaved(folder / "tube.esm", document.project());
+    mayFail.release();
+    ESM_EVENTUALLY(told.size() == 2);
+    EXPECT_EQ(told[1], "");
 }
 
 TEST_F(JournalFailureTest, TellsNothingOnceItIsGone) {
