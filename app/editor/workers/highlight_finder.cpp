@@ -21,12 +21,13 @@ QImage pictureOf(const PixelMask& mask, const Image& photo) {
 } // namespace
 
 HighlightFinder::HighlightFinder(QObject* parent)
-    : QObject(parent), m_worker(
-                           [](const auto& task) {
-                               const Image& photo = task.question.photo->image;
-                               return pictureOf(highlightsOf(photo, task.question.preparation), photo);
-                           },
-                           [this] { emit found(); }) {}
+    : QObject(parent),
+      m_worker(
+          [](const auto& task) {
+              const auto& [photo, preparation] = task.question;
+              return Found{photo, pictureOf(highlightsOf(photo->image, preparation), photo->image)};
+          },
+          [this] { emit found(); }) {}
 
 void HighlightFinder::find(std::shared_ptr<const Photo> photo, const PhotoPreparation& preparation) {
     PhotoPreparation masking;
@@ -35,6 +36,11 @@ void HighlightFinder::find(std::shared_ptr<const Photo> photo, const PhotoPrepar
     masking.highlightThreshold = preparation.highlightThreshold;
     masking.highlightSensitivity = preparation.highlightSensitivity;
     m_worker.ask({std::move(photo), masking});
+}
+
+QImage HighlightFinder::maskOf(const std::shared_ptr<const Photo>& photo) const {
+    const Found found = m_worker.outcome().answer;
+    return found.photo == photo ? found.mask : QImage();
 }
 
 } // namespace esm

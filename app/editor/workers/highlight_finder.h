@@ -20,8 +20,8 @@ public:
 
     /// @param preparation whose field, strokes and highlights count
     void find(std::shared_ptr<const Photo> photo, const PhotoPreparation& preparation);
-    /// Of the photo's size, transparent where nothing is filled; null while nothing was found yet.
-    QImage mask() const { return m_worker.outcome().answer; }
+    /// Of the photo's size, transparent where nothing is filled; null while nothing was found of this photo.
+    QImage maskOf(const std::shared_ptr<const Photo>& photo) const;
 
 signals:
     void found();
@@ -32,7 +32,12 @@ private:
         PhotoPreparation preparation;
     };
 
-    LatestWorker<Question, QImage> m_worker;
+    struct Found {
+        std::shared_ptr<const Photo> photo;
+        QImage mask;
+    };
+
+    LatestWorker<Question, Found> m_worker;
 };
 
 } // namespace esm

@@ -40,7 +40,8 @@ HighlightPage::HighlightPage(PreparationEdits& edits, PhotoCanvas& canvas, QWidg
         if (m_fills->isChecked()) fill();
     });
     connect(&m_finder, &HighlightFinder::found, this, [this] {
-        if (isVisible()) m_canvas.setMarked(m_finder.mask());
+        const TextureLayer* layer = m_edits.layer();
+        if (layer && isVisible()) m_canvas.setMarked(m_finder.maskOf(layer->photo));
     });
 }
 
