@@ -96,7 +96,7 @@ MainWindow::MainWindow(Project project)
 void MainWindow::makeControllers() {
     m_photos = new PhotoController(*this, *m_document, *m_selection, [this] { return m_view->camera(); });
     m_files = new FileController(*this, *m_document, *m_photos, [this] {
-        return EditorState{m_workspaces->chosen(), m_preview->status().playing};
+        return EditorState{m_workspaces->chosen(), m_preview->isToPlay()};
     });
     m_files->exports().offerPoke(*m_poke);
     m_edits = new EditController(*this, *m_document, *m_selection, *m_view);

@@ -71,7 +71,7 @@ void PokeScreen::show() {
 }
 
 void PokeScreen::enter() {
-    m_playedBefore = m_preview.status().playing;
+    m_playedBefore = m_preview.isToPlay();
     m_preview.setPlaying(false);
     if (m_takeLook) m_takeLook();
 }

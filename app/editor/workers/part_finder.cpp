@@ -3,17 +3,27 @@
 namespace esm {
 
 PartFinder::PartFinder(QObject* parent)
-    : QObject(parent), m_worker(
-                           [](const auto& task) {
-                               const auto& [mesh, network] = task.question;
-                               return fillableParts(*mesh, *network, task.progress());
-                           },
-                           [this] { emit found(); }) {}
+    : QObject(parent),
+      m_worker(
+          [](const auto& task) {
+              const auto& [mesh, network] = task.question;
+              return fillableParts(*mesh, *network, task.progress());
+          },
+          [this] { QMetaObject::invokeMethod(this, &PartFinder::takeAnswer, Qt::QueuedConnection); }) {}
 
-std::vector<FillablePart> PartFinder::parts() const {
-    if (m_worker.isWorking()) return {};
-    const auto outcome = m_worker.outcome();
-    return outcome.failure.empty() ? outcome.answer : std::vector<FillablePart>();
+void PartFinder::find(const Surface& surface) {
+    m_isWorking = true;
+    m_parts.clear();
+    m_worker.ask(surface);
+}
+
+void PartFinder::takeAnswer() {
+    const bool isWorking = m_worker.isWorking(); // asked first, so that what is done is the last there is
+    auto outcome = m_worker.outcome();
+    if (isWorking || !m_isWorking) return;
+    m_isWorking = false;
+    if (outcome.failure.empty()) m_parts = std::move(outcome.answer);
+    emit found();
 }
 
 } // namespace esm

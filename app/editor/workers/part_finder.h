@@ -25,15 +25,19 @@ public:
 
     explicit PartFinder(QObject* parent = nullptr);
 
-    void find(const Surface& surface) { m_worker.ask(surface); }
+    void find(const Surface& surface);
     /// While it works, and before it was asked, none.
-    std::vector<FillablePart> parts() const;
-    bool isWorking() const { return m_worker.isWorking(); }
+    const std::vector<FillablePart>& parts() const { return m_parts; }
+    bool isWorking() const { return m_isWorking; } ///< until found() is heard
 
 signals:
     void found();
 
 private:
+    void takeAnswer();
+
+    bool m_isWorking = false;
+    std::vector<FillablePart> m_parts;
     LatestWorker<Surface, std::vector<FillablePart>> m_worker;
 };
 

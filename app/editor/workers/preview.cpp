@@ -109,6 +109,11 @@ void Preview::setPlaying(bool playing) {
     });
 }
 
+bool Preview::isToPlay() const {
+    const std::lock_guard lock(m_mutex);
+    return m_inbox.playing;
+}
+
 void Preview::togglePlaying() {
     send([this](Inbox& inbox) {
         inbox.playing = !inbox.playing;

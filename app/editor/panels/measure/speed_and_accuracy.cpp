@@ -17,7 +17,7 @@ constexpr int restBeforeComparing = 300; // ms
 /// The tissue rests meanwhile: its motion would take time from what is measured.
 class Pause {
 public:
-    explicit Pause(Preview& preview) : m_preview(preview), m_wasPlaying(preview.status().playing) {
+    explicit Pause(Preview& preview) : m_preview(preview), m_wasPlaying(preview.isToPlay()) {
         m_preview.setPlaying(false);
     }
     ~Pause() { m_preview.setPlaying(m_wasPlaying); }

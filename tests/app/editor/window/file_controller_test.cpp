@@ -340,6 +340,8 @@ TEST_F(FileControllerTest, AProjectOpensAsItWasLeft) {
     EXPECT_TRUE(window->windowActions().tissue->isChecked());
     window->files().openProject(folder / "left.esm");
     EXPECT_TRUE(window->windowActions().texture->isChecked());
+    ASSERT_TRUE(window->files().saveTo(folder / "at once.esm"));
+    EXPECT_EQ(loadProject(folder / "at once.esm").editor, (EditorState{Workspace::Texture, false}));
     ESM_EVENTUALLY(!window->preview().status().playing);
     EXPECT_FALSE(window->document().isModified());
 }
