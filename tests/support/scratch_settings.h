@@ -3,14 +3,13 @@
 #include "tests/support/temporary_folder.h"
 
 #include <QSettings>
-#include <QStandardPaths>
 
 /// The user's own settings and files are neither read nor written while this lives. To be made before the
 /// application.
 class ScratchSettings {
 public:
     ScratchSettings() {
-        QStandardPaths::setTestModeEnabled(true);
+        qputenv("XDG_DATA_HOME", QByteArray::fromStdString((m_folder / "data").string()));
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope,
                            QString::fromStdString(m_folder.path().string()));
     }

@@ -1,4 +1,5 @@
 #include "app/editor/tools/landmarking.h"
+#include "app/editor/workers/preview.h"
 #include "core/exchange/meshes/mesh_file.h"
 #include "core/exchange/project/pairs_file.h"
 #include "core/samples/samples.h"
@@ -219,10 +220,12 @@ TEST_F(LandmarksInTheWindow, LieBesideEachOtherWhereThereIsRoom) {
         return QRect(widget->mapTo(window.get(), {}), widget->size());
     };
     window->resize(1400, 800);
+    ESM_EVENTUALLY(window->width() == 1400);
     settledHeight(&window->view());
     EXPECT_LT(inWindow(photo).right(), inWindow(&window->view()).left());
     EXPECT_NEAR(photo->width(), window->view().width(), 20);
     window->resize(760, 800);
+    ESM_EVENTUALLY(window->width() == 760);
     settledHeight(&window->view());
     EXPECT_LT(inWindow(photo).bottom(), inWindow(&window->view()).top()) << "one above the other";
     EXPECT_NEAR(photo->height(), window->view().height(), 20);
@@ -265,6 +268,10 @@ TEST_F(LandmarksInTheWindow, GiveAKnownCameraBackFromEightClicks) {
     const PhotoSize size{image.width, image.height};
     const Projector truth = knownCamera();
     open(before);
+    Preview& preview = window->preview();
+    preview.setPlaying(false); // clicks on what moves would lie beside
+    preview.reset();
+    ESM_EVENTUALLY(preview.frame().positions == before.network->restPositions && !preview.status().playing);
     window->windowActions().texture->trigger();
     window->windowActions().tool("landmarks")->trigger();
     auto* photo = child<PhotoView>("photoView");

@@ -237,7 +237,7 @@ TEST_F(NarrowTest, ToolsKeepTheirKeysWhereThePanelsMakeRoom) {
     addPhoto();
     child<QWidget>("photoList")->setFocus();
     take("landmarks");
-    EXPECT_TRUE(window->view().hasFocus());
+    ESM_EVENTUALLY(window->view().hasFocus());
 }
 
 TEST_F(NarrowTest, QuestionsHaveRoom) {

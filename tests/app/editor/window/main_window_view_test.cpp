@@ -18,7 +18,9 @@ protected:
     void SetUp() override {
         open(makeSample("liver"));
         window->preview().setPlaying(false);
-        ESM_EVENTUALLY(window->preview().tissue() != nullptr);
+        ESM_EVENTUALLY(window->preview().frame().project == window->preview().projectCount() &&
+                       !window->preview().status().playing);
+        QCoreApplication::processEvents(); // the view hears of the tissue
     }
     OrganView& view() { return window->view(); }
     const Camera& camera() { return view().camera(); }

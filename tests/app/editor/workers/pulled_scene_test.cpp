@@ -21,7 +21,8 @@ protected:
 
 TEST_F(PulledScene, LeadsWhatTheHandHeldUntilItLetGo) {
     ASSERT_TRUE(scene);
-    EXPECT_NEAR(scene->duration, 0.4, 1.0 / 60 + 0.01);
+    // Each end of the pull is noted with the frame that follows; one that comes late makes up for two.
+    EXPECT_NEAR(scene->duration, 0.4, 2.0 / 60 + 0.02);
     EXPECT_EQ(scene->tethers, project.scene.tethers);
     EXPECT_TRUE(validate(*scene, project.network->restPositions.size()).empty());
     ASSERT_EQ(scene->moves.front().node, 40U);

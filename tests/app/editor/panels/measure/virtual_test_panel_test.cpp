@@ -87,6 +87,7 @@ TEST_F(VirtualTestPanelTest, EnterInAFieldPressesAndTheCurveArrives) {
 TEST_F(VirtualTestPanelTest, CancelStopsAndSaysNothing) {
     test.choosePlace(placeIn(5));
     awaitTissue();
+    ESM_EVENTUALLY(button("pressButton").isEnabled());
     button("pressButton").click();
     ASSERT_TRUE(test.isPressing());
     button("cancelPress").click();
