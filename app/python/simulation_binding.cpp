@@ -43,13 +43,15 @@ public:
     std::size_t nodeCount() const { return m_tissue->nodeCount(); }
 
     void setForces(const py::object& nodes, const Vectors3& forces) {
+        auto given = vectorsByNode("force", nodes, forces, nodeCount()); // may let other threads run
         requireStill();
-        m_loads.forces = vectorsByNode("force", nodes, forces, nodeCount());
+        m_loads.forces = std::move(given);
     }
     void lead(const py::object& nodes, const Vectors3& places) {
+        const auto given = vectorsByNode("place", nodes, places, nodeCount()); // may let other threads run
         requireStill();
         m_loads.prescribed.clear();
-        for (const auto& [node, place] : vectorsByNode("place", nodes, places, nodeCount()))
+        for (const auto& [node, place] : given)
             m_loads.prescribed.push_back({node, place});
     }
     void setGravity(const std::array<double, 3>& gravity) {
@@ -80,7 +82,7 @@ public:
     void step(std::int64_t count) {
         requireStill();
         if (count < 0)
-            throw InvalidModel("steps are counted from 0, and " + std::to_string(count) + " is less");
+            throw InvalidModel("the number of steps must be 0 or more, not " + std::to_string(count));
         constexpr std::size_t mostTogether = 64;
         for (auto left = static_cast<std::size_t>(count); left > 0;) {
             left -= taken(std::min(left, mostTogether));
@@ -175,11 +177,12 @@ void addInstruments(py::module_& module, py::class_<Run>& type) {
 }
 
 void addLoads(py::class_<Run>& type) {
-    type.def(
-        "set_forces", &Run::setForces, py::arg("nodes"), py::arg("forces"),
-        "In place of all forces before: N, a row for each of the nodes. They act until they are set anew.");
+    type.def("set_forces", &Run::setForces, py::arg("nodes"), py::arg("forces"),
+             "In place of all forces before: N, a row for each of the nodes, which are whole numbers, "
+             "counted from 0. They act until they are set anew.");
     type.def("lead", &Run::lead, py::arg("nodes"), py::arg("positions"),
-             "In place of all led nodes before: m, where each is at the end of the next step, and stays.");
+             "In place of all led nodes before, which are whole numbers, counted from 0: m, where each is at "
+             "the end of the next step, and stays.");
     type.def_property("gravity", &Run::gravity, &Run::setGravity, "m/s²");
 }
 

@@ -107,6 +107,15 @@ class ModuleTest(Case):
         self.assertLess(numpy.mean(simulation.velocities()[:, 1]), 0)
         self.assertEqual(simulation.gravity, [0, -9.81, 0])
 
+    def test_goes_on_leading_what_it_led_where_a_wish_is_refused(self):
+        simulation = esm.Simulation(esm.load_package(KEPT[1]))
+        place = simulation.positions()[5] + [0, 0, 0.001]
+        simulation.lead([5], [place])
+        with self.assertRaises(ValueError):
+            simulation.lead([1.9], [[0, 0, 0]])
+        simulation.step(3)
+        self.assertEqual(simulation.positions()[5].tolist(), place.tolist())
+
     def test_an_instrument_pushes_and_feels_the_tissue(self):
         tissue = esm.load_package(self.exported())
         simulation, low, high = esm.Simulation(tissue, "split", 1e-3), tissue.rest_positions.min(0), tissue.rest_positions.max(0)
@@ -197,7 +206,7 @@ class ModuleTest(Case):
                 (ValueError, "node -1", lambda: simulation.lead([-1], [[0, 0, 0]])),
                 (ValueError, "whole numbers", lambda: simulation.set_forces([1.9], [[0, 0, 1]])),
                 (ValueError, "whole numbers", lambda: simulation.lead(["1"], [[0, 0, 1]])),
-                (ValueError, "-1 is less", lambda: simulation.step(-1)),
+                (ValueError, "0 or more, not -1", lambda: simulation.step(-1)),
                 (ValueError, "not finite", lambda: simulation.set_forces([1], [[0, float("nan"), 0]])),
                 (ValueError, "row of three", lambda: simulation.set_forces([1, 2], [[0, 0, 0]])),
                 (ValueError, "gravity", lambda: setattr(simulation, "gravity", (0, float("inf"), 0))),

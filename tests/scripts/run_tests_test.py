@@ -54,6 +54,19 @@ class RunTestsTest(unittest.TestCase):
         self.assertIn("Organ.Falls\nfar down\n", said)
         self.assertNotIn("all of it", said)
 
+        self.assertNotIn("end of output", said)
+
+    def test_says_nothing_of_other_programs_and_of_an_earlier_run(self):
+        self.run_tests({"organ": (FAILED, 1)})
+        status, said = self.run_tests({"script": ("no such organ\n", 1)})
+        self.assertNotEqual(status, 0)
+        self.assertEqual(said, "")
+
+    def test_asks_for_a_preset(self):
+        run = subprocess.run([self.project / "scripts" / "run-tests.sh"], capture_output=True, text=True)
+        self.assertNotEqual(run.returncode, 0)
+        self.assertIn("name a preset", run.stderr)
+
     def test_says_nothing_where_all_pass(self):
         self.assertEqual(self.run_tests({"organ": (PASSED, 0)}), (0, ""))
 

@@ -240,10 +240,10 @@ void ImportDialog::lookAgain() {
 }
 
 void ImportDialog::takeAnswer() {
-    if (m_isAnswered) return;                      // it was told before, and the importer may be no more
-    const bool isWorking = m_importer.isWorking(); // asked first, so that what is done is the last there is
+    if (m_isAnswered) return; // it was told before, and the importer may be no more
+    if (m_importer.isWorking()) return;
     const auto outcome = m_importer.outcome();
-    if (isWorking || outcome.number == m_answer) return;
+    if (outcome.number == m_answer) return;
     m_answer = outcome.number;
     if (!outcome.failure.empty()) return m_report->setPlainText(QString::fromStdString(outcome.failure));
     m_shown = outcome.answer->surface;

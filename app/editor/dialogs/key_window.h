@@ -6,8 +6,8 @@
 
 namespace esm {
 
-/// The window of this program that has the keys, to have them again once a dialog before it is gone: not
-/// every desktop gives them back.
+/// The window of this program that has the keys, to have them again once a dialog in front of it is closed:
+/// not every desktop gives them back.
 class KeyWindow {
 public:
     /// @param otherwise has the keys where no window has, or where that one is gone by then; may be null

@@ -50,7 +50,6 @@ void waitBriefly(const std::function<bool()>& isDone) {
 
 void runLongWork(QWidget* window, const QString& title, const std::function<void(const Progress&)>& work,
                  Cancelling cancelling) {
-    const KeyWindow before(window);
     std::atomic<int> permille = -1;
     std::atomic<bool> cancelled = false;
     auto done = std::async(std::launch::async, [&] {
@@ -62,6 +61,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
     const auto isDone = [&] { return done.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
     if (done.wait_for(blink) != std::future_status::ready) waitBriefly(isDone);
     if (!isDone()) {
+        const KeyWindow before(window);
         QProgressDialog dialog(
             title, cancelling == Cancelling::Impossible ? QString() : QObject::tr("Cancel"), 0, 0, window);
         dialog.setWindowTitle(title);
@@ -70,7 +70,7 @@ void runLongWork(QWidget* window, const QString& title, const std::function<void
         dialog.setMinimumWidth(360);
         dialog.setAutoReset(false);
         dialog.setAutoClose(false);
-        bool isInFront = window && window->isActiveWindow();
+        bool isInFront = QApplication::activeWindow() != nullptr;
         QTimer poll;
         QObject::connect(&poll, &QTimer::timeout, &dialog, [&] {
             isInFront = QApplication::activeWindow() != nullptr;

@@ -19,8 +19,7 @@ enum class Cancelling {
 /// Does long work on another thread while the window stays alive; after a moment a dialog with progress
 /// appears, with a cancel button where it is offered: for work that looks at its Progress often enough to
 /// stop at once. Returns when the work is done and passes on what it throws; Cancelled when it was asked to
-/// stop. Where the dialog was in front, the window
-/// that had the keys has them again.
+/// stop. Where the dialog was in front, the window that had the keys has them again.
 void runLongWork(QWidget* window, const QString& title, const std::function<void(const Progress&)>& work,
                  Cancelling cancelling = Cancelling::Impossible);
 

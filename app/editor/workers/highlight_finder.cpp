@@ -40,7 +40,7 @@ void HighlightFinder::find(std::shared_ptr<const Photo> photo, const PhotoPrepar
 
 QImage HighlightFinder::maskOf(const std::shared_ptr<const Photo>& photo) const {
     const Found found = m_worker.outcome().answer;
-    return found.photo == photo ? found.mask : QImage();
+    return photo && found.photo.lock() == photo ? found.mask : QImage();
 }
 
 } // namespace esm

@@ -33,7 +33,7 @@ private:
     };
 
     struct Found {
-        std::shared_ptr<const Photo> photo;
+        std::weak_ptr<const Photo> photo;
         QImage mask;
     };
 

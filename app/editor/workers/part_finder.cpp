@@ -18,10 +18,9 @@ void PartFinder::find(const Surface& surface) {
 }
 
 void PartFinder::takeAnswer() {
-    const bool isWorking = m_worker.isWorking(); // asked first, so that what is done is the last there is
-    auto outcome = m_worker.outcome();
-    if (isWorking || !m_isWorking) return;
+    if (m_worker.isWorking() || !m_isWorking) return;
     m_isWorking = false;
+    auto outcome = m_worker.outcome();
     if (outcome.failure.empty()) m_parts = std::move(outcome.answer);
     emit found();
 }

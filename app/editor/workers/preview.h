@@ -47,7 +47,7 @@ public:
     /// How many projects have come: each is evaluated once at most.
     int projectCount() const;
     void setPlaying(bool playing);
-    /// What was asked for last, which status() shows once the project that came has been prepared.
+    /// Whether it plays, or will once the project that came last is prepared.
     bool isToPlay() const;
     /// Pauses what plays or is about to; plays what does not, from rest when the run had failed.
     void togglePlaying();

@@ -56,6 +56,7 @@ void HighlightPage::mark() {
     if (!layer || !isVisible()) return;
     PhotoPreparation preparation = m_edits.wanted().preparation;
     preparation.highlightSensitivity = sensitivity();
+    m_canvas.setMarked(m_finder.maskOf(layer->photo)); // none of another photo
     m_finder.find(layer->photo, preparation);
 }
 

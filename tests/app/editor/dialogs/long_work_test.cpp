@@ -56,6 +56,25 @@ TEST(LongWork, GivesTheKeysBackToTheWindowThatHadThem) {
     ESM_EVENTUALLY(QApplication::activeWindow() == &window && QApplication::focusWidget() == &field);
 }
 
+TEST(LongWork, GivesTheKeysToItsWindowWhereTheOneThatHadThemIsGone) {
+    QWidget main, window;
+    for (QWidget* shown : {&main, &window}) {
+        shown->show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(shown, patience));
+    }
+    window.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&window, patience));
+    DialogScript dialogs;
+    std::promise<void> isGone;
+    dialogs.expectNamed("progressDialog", [&](QDialog* dialog) {
+        EXPECT_TRUE(QTest::qWaitForWindowActive(dialog, patience));
+        window.hide();
+        isGone.set_value();
+    });
+    runLongWork(&main, "work", [&](const Progress&) { isGone.get_future().wait(); });
+    ESM_EVENTUALLY(QApplication::activeWindow() == &main);
+}
+
 TEST(LongWork, StopsWhenAsked) {
     DialogScript dialogs;
     dialogs.expectNamed("progressDialog", [](QDialog* dialog) {

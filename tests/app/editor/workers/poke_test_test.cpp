@@ -57,7 +57,7 @@ TEST_F(PokeTestTest, ComparesTheOrganWithWhatItWasBefore) {
     ASSERT_TRUE(test.latest()) << test.failure();
     EXPECT_GT(largestForce(test.latest()), 0);
     EXPECT_FALSE(test.former());
-    EXPECT_GT(test.player().duration(), 0.25);
+    EXPECT_GT(test.player().duration(), 0.3 - 1.0 / pokePicturesPerSecond);
     repeat();
     EXPECT_FALSE(test.former()) << "the same organ again is nothing to compare with";
     const PokeTest::Motion soft = test.latest();
