@@ -159,10 +159,7 @@ void Journal::noteOutgrown() {
 }
 
 void Journal::noteFailure(const QString& reason) {
-    if (!m_document.isModified()) {
-        end();
-        return tellFailure({});
-    }
+    if (!m_document.isModified()) return noteReplaced();
     m_isBroken = true;
     m_isRenewed = false;
     m_retry.start();
