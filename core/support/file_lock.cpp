@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fstream>
-#include <iterator>
+#include <sstream>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -32,9 +32,11 @@ bool isSameFile(const std::optional<FileVersion>& a, const std::optional<FileVer
     return a && b && a->device == b->device && a->inode == b->inode;
 }
 
+/// As far as it can be read: what the system says of an open file ends when that is closed.
 std::string contentOf(const fs::path& file) {
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
+    std::ostringstream content;
+    content << std::ifstream(file).rdbuf(); // unlike the buffer's own iterators, this does not throw
+    return content.str();
 }
 
 bool isNumber(const std::string& text) {
@@ -72,6 +74,7 @@ std::string holderOf(const FileVersion& file) {
         std::string command = contentOf(process / "cmdline");
         while (!command.empty() && command.back() == '\0')
             command.pop_back();
+        if (command.empty()) break; // it has ended
         std::replace(command.begin(), command.end(), '\0', ' ');
         return "process " + number + " (" + command + ")";
     }

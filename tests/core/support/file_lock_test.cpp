@@ -3,13 +3,14 @@
 #include "core/support/file_lock.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <csignal>
 #include <sys/wait.h>
 #include <unistd.h>
 
 using namespace esm;
+using namespace testing;
 namespace fs = std::filesystem;
 
 namespace {
@@ -19,7 +20,7 @@ std::string refusal(const fs::path& file) {
     try {
         FileLock lock(file);
         return {};
-    } catch (const FileError& error) {
+    } catch (const std::exception& error) {
         return error.what();
     }
 }
@@ -33,27 +34,54 @@ std::string change(const FileLock& lock) {
     }
 }
 
-/// Another process that holds the lock until it is killed.
-pid_t startHolder(const fs::path& file) {
-    int ready[2];
-    EXPECT_EQ(::pipe(ready), 0);
-    const pid_t child = ::fork();
-    if (child == 0) {
+/// Another process, which does this work until it is killed. It is there once the work has told that it
+/// began.
+class OtherProcess {
+public:
+    template<class Work> explicit OtherProcess(Work work) {
+        int ready[2];
+        EXPECT_EQ(::pipe(ready), 0);
+        m_process = ::fork();
+        if (m_process == 0) work([&] { [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1); });
+        char byte = 0;
+        EXPECT_EQ(::read(ready[0], &byte, 1), 1);
+        ::close(ready[0]);
+        ::close(ready[1]);
+    }
+    OtherProcess(const OtherProcess&) = delete;
+    OtherProcess& operator=(const OtherProcess&) = delete;
+    ~OtherProcess() {
+        ::kill(m_process, SIGKILL);
+        ::waitpid(m_process, nullptr, 0);
+    }
+
+    pid_t id() const { return m_process; }
+
+private:
+    pid_t m_process = 0;
+};
+
+auto holding(const fs::path& file) {
+    return [file](const auto& tellBegun) {
         const FileLock lock(file);
-        [[maybe_unused]] const ssize_t told = ::write(ready[1], "x", 1);
+        tellBegun();
         while (true)
             ::pause();
-    }
-    char byte = 0;
-    EXPECT_EQ(::read(ready[0], &byte, 1), 1);
-    ::close(ready[0]);
-    ::close(ready[1]);
-    return child;
+    };
 }
 
-void kill(pid_t process) {
-    ::kill(process, SIGKILL);
-    ::waitpid(process, nullptr, 0);
+/// Locks and lets go, as often as it can.
+auto lockingAgainAndAgain(const fs::path& file) {
+    return [file](const auto& tellBegun) {
+        tellBegun();
+        while (true) {
+            try {
+                const FileLock lock(file);
+            } catch (const std::exception&) {
+                // held by the test at this moment
+            }
+        }
+    };
 }
 
 } // namespace
@@ -61,17 +89,27 @@ void kill(pid_t process) {
 TEST(FileLock, KeepsASecondProcessAwayAndNamesTheFirst) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "a", std::string("old"));
-    const pid_t holder = startHolder(folder / "a");
-    const std::string told = refusal(folder / "a");
-    kill(holder);
-    EXPECT_NE(told.find("process " + std::to_string(holder) + " ("), std::string::npos) << told;
-    EXPECT_NE(told.find("support_tests"), std::string::npos) << told;
+    const OtherProcess holder(holding(folder / "a"));
+    EXPECT_THAT(refusal(folder / "a"), AllOf(HasSubstr("process " + std::to_string(holder.id()) + " ("),
+                                             HasSubstr("support_tests")));
+}
+
+TEST(FileLock, RefusesInTheSameWordsWhereTheFirstIsDoneWhileItIsLookedFor) {
+    const TemporaryFolder folder;
+    writeFileAtomically(folder / "a", std::string("old"));
+    const OtherProcess other(lockingAgainAndAgain(folder / "a"));
+    for (int refusals = 0; refusals < 500;) {
+        const std::string told = refusal(folder / "a");
+        if (told.empty()) continue;
+        ++refusals;
+        ASSERT_THAT(told, HasSubstr("is being changed by "));
+    }
 }
 
 TEST(FileLock, GoesWithTheProcessThatHeldIt) {
     const TemporaryFolder folder;
     writeFileAtomically(folder / "a", std::string("old"));
-    kill(startHolder(folder / "a"));
+    { const OtherProcess holder(holding(folder / "a")); }
     EXPECT_EQ(refusal(folder / "a"), "");
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), {}), 1);
 }
