@@ -155,6 +155,11 @@ def in_sofa(options, folder, period, duration):
     return frames_in_sofa(state), float(seconds[-1]), step
 
 
+def evenly(times):
+    """Without the end of a run that ends between two records: SOFA writes at multiples of a time alone."""
+    return [time for time in times if abs(time / times[1] - round(time / times[1])) < 1e-6]
+
+
 def here(options, folder):
     """Some twenty of the frames that the scene records, and what `esmc` says of a run by the way that is chosen for the organ."""
     say("here, to 1e-4 of the motion")
@@ -165,8 +170,7 @@ def here(options, folder):
                            "--json"))
     frames = frames_here(folder / "reference.csv")
     times = sorted(frames)
-    picked = times[:: max(1, (len(times) - 1) // RECORDS)]
-    return {time: frames[time] for time in picked}, usual
+    return {time: frames[time] for time in evenly(times[:: max(1, (len(times) - 1) // RECORDS)])}, usual
 
 
 def row(options, folder):

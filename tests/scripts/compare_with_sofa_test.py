@@ -33,6 +33,10 @@ class CompareWithSofa(unittest.TestCase):
         here = {0.0: [(0.1, 0, 0)], 0.1: [(0.2, 0, 0)]}
         self.assertEqual(sofa.relative_error(here, {0.0: [(0.11, 0, 0)], 0.1: [(0.2, 0, 0)]}, 0.01), 0)
 
+    def test_times_are_those_at_which_sofa_writes(self):
+        self.assertEqual(sofa.evenly([0, 0.05, 0.1, 0.15000000001, 0.17]), [0, 0.05, 0.1, 0.15000000001])
+        self.assertEqual(sofa.evenly([0, 0.17]), [0, 0.17])
+
     def test_states_are_read_as_sofa_writes_them(self):
         with tempfile.TemporaryDirectory() as folder:
             state = Path(folder) / "state.txt"

@@ -28,7 +28,7 @@ struct Actions {
     std::vector<QAction*> standardViews; ///< front, back, left, right, top, bottom
     QAction *addRegion, *fixRegion, *freeNodes, *chooseDetail, *chooseInside, *evenSheet;
     QAction *addPhoto, *addPaint, *fromCamera;
-    QAction *play, *playScene, *reset, *letGo;
+    QAction *play, *playScene, *removeScene, *reset, *letGo;
     QAction *about, *keys, *firstSteps;
     QActionGroup* tools; ///< in the order of the table
     QActionGroup* workspaces;

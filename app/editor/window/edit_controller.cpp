@@ -16,6 +16,7 @@
 #include "core/authoring/regions.h"
 #include "core/model/gentle_pull.h"
 #include "core/model/scene_cavities.h"
+#include "core/model/scene_events.h"
 #include "core/project/detail_change.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
@@ -53,6 +54,7 @@ void EditController::connectActions(const Actions& actions) {
     connect(actions.removePhoto, &QAction::triggered, this, &EditController::removePhoto);
     connect(actions.fixRegion, &QAction::triggered, this, &EditController::fixRegion);
     connect(actions.freeNodes, &QAction::triggered, this, &EditController::freeNodes);
+    connect(actions.removeScene, &QAction::triggered, this, &EditController::removeScene);
     connect(actions.chooseDetail, &QAction::triggered, this, &EditController::chooseDetail);
     connect(actions.chooseInside, &QAction::triggered, this, &EditController::chooseInside);
     m_evenSheet = actions.evenSheet;
@@ -97,8 +99,10 @@ void EditController::enable(const Actions& actions) {
     actions.evenSheet->setChecked(project.network->sheet.has_value());
     const bool splits = !project.scene.splits.empty();
     allow(actions.playScene, hasLoads(project.scene) && !splits,
-          splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
-                 : tr("The scene has no force, led node, pressure or instrument: esmc scene stores one"));
+          splits
+              ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
+              : tr("The scene has no force, led node, pressure or instrument: a recorded pull can be one"));
+    allow(actions.removeScene, hasEvents(project.scene), tr("Nothing happens in the project's scene"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     allow(actions.addPhoto, !project.mesh->triangles.empty(), noSurface);
     allow(actions.addPaint, !project.mesh->triangles.empty(), noSurface);
@@ -155,6 +159,11 @@ void EditController::fixRegion() {
 
 void EditController::freeNodes() {
     m_document.edit(tr("Free fixed nodes"), [](Project& project) { project.scene.fixed.clear(); });
+}
+
+void EditController::removeScene() {
+    m_document.edit(tr("Remove scene"),
+                    [](Project& project) { project.scene = withoutEvents(project.scene); });
 }
 
 std::optional<std::size_t> EditController::askForNodes() {

@@ -37,6 +37,7 @@ private:
     void removePhoto();
     void fixRegion();
     void freeNodes();
+    void removeScene();
     void chooseDetail();
     void chooseInside();
     void makeEvenSheet(bool isEven);

@@ -103,6 +103,8 @@ void buildMenus(QMainWindow& window, const Actions& a) {
 
     QMenu* simulation = bar->addMenu(QObject::tr("&Simulation"));
     simulation->addActions({a.play, a.playScene, a.reset});
+    simulation->addSeparator();
+    simulation->addAction(a.removeScene);
     QMenu* tools = bar->addMenu(QObject::tr("&Tools"));
     tools->addActions(a.tools->actions());
     tools->addSeparator();

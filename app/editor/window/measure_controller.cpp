@@ -1,14 +1,17 @@
 #include "app/editor/window/measure_controller.h"
 
+#include "app/editor/dialogs/attempt.h"
+#include "app/editor/dialogs/long_work.h"
 #include "app/editor/panels/measure/accuracy_view.h"
 #include "app/editor/panels/measure/poke_view.h"
 #include "app/editor/panels/measure/press_view.h"
+#include "app/editor/workers/pulled_scene.h"
 
 namespace esm {
 
 MeasureController::MeasureController(Document& document, Preview& preview, VirtualTest& test, PokeTest& poke,
                                      QObject* parent)
-    : QObject(parent), m_actions(), m_poke(poke), m_charts(new QStackedWidget) {
+    : QObject(parent), m_document(document), m_actions(), m_poke(poke), m_charts(new QStackedWidget) {
     auto* accuracy = new SpeedAndAccuracy(document, preview, this);
     m_column = new MeasureColumn(document, *accuracy, test, poke);
     auto* runs = new AccuracyView(document, *accuracy);
@@ -19,6 +22,7 @@ MeasureController::MeasureController(Document& document, Preview& preview, Virtu
     m_charts->addWidget(moved);
     connect(moved, &PokeView::message, this, &MeasureController::message);
     connect(moved, &PokeView::filmAsked, this, &MeasureController::filmAsked);
+    connect(&m_column->pokePanel(), &PokePanel::sceneAsked, this, &MeasureController::makeScene);
     m_charts->hide();
     connect(runs, &AccuracyView::message, this, &MeasureController::message);
     connect(press, &PressView::message, this, &MeasureController::message);
@@ -39,6 +43,20 @@ void MeasureController::connectParts(const Workspaces& workspaces, const Actions
     });
     connect(actions.measure, &QAction::triggered, this, &MeasureController::takeTool);
     connect(finger, &QAction::triggered, m_column, [this] { m_column->choose(MeasurePage::VirtualTest); });
+}
+
+/// By the organ's tissue, which says what the hand took hold of.
+void MeasureController::makeScene() {
+    attempt(m_column, tr("The pull was not made the scene"), [&] {
+        const Poke poke = m_poke.poke().value();
+        const Project project = m_document.project();
+        const auto scene = computeLong(m_column, tr("Looking at the organ"), [&](const Progress&) {
+            return sceneOfPull(poke, project, evaluateModel(project));
+        });
+        if (!scene) return;
+        m_document.edit(tr("Make the pull the scene"), [&](Project& edited) { edited.scene = *scene; });
+        emit message(tr("The pull is the project's scene now: Simulation → Play scene plays it."));
+    });
 }
 
 /// The finger comes and goes with its page; any other tool in hand may stay.

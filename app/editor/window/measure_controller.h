@@ -30,7 +30,9 @@ signals:
 
 private:
     void takeTool();
+    void makeScene();
 
+    Document& m_document;
     Actions m_actions;
     PokeTest& m_poke;
     MeasureColumn* m_column;

@@ -126,7 +126,8 @@ std::vector<ShortcutRow> shortcutRows(const Actions& a) {
                                           {"addPaint", a.addPaint},
                                           {"fromCamera", a.fromCamera}});
     rows.addOne(ShortcutTexts::tr("Simulation"), "play", ShortcutTexts::tr("Play or pause"), a.play);
-    rows.add(ShortcutTexts::tr("Simulation"), {{"playScene", a.playScene}, {"reset", a.reset}});
+    rows.add(ShortcutTexts::tr("Simulation"),
+             {{"playScene", a.playScene}, {"reset", a.reset}, {"removeScene", a.removeScene}});
     rows.addNamed(ShortcutTexts::tr("Tools"), QStringLiteral("tool/"), a.tools->actions());
     rows.add(ShortcutTexts::tr("Tools"), {{"letGo", a.letGo}});
     rows.add(ShortcutTexts::tr("Help"), {{"firstSteps", a.firstSteps}, {"keys", a.keys}, {"about", a.about}});

@@ -1,6 +1,7 @@
 #include "app/editor/workers/poke_test.h"
 
 #include "app/editor/workers/told_progress.h"
+#include "core/model/scene_events.h"
 
 #include <algorithm>
 
@@ -16,9 +17,19 @@ bool touches(const Poke& poke) {
                        [](const HandMoment& moment) { return moment.loads.pull || moment.loads.instrument; });
 }
 
+/// Whether the same holds an organ, or acts on it all the time. A poke knows no more of a scene.
+bool holdAlike(const Scene& a, const Scene& b) {
+    const Scene held = withoutEvents(a);
+    Scene other = withoutEvents(b);
+    other.duration = held.duration;
+    other.record = held.record;
+    return held == other;
+}
+
 /// Whether both move alike under the same poke.
 bool movesAlike(const Project& a, const Project& b) {
-    const Change change = difference(a, b);
+    Change change = difference(a, b);
+    change.scene = !holdAlike(a.scene, b.scene);
     return !change.model() && !change.stepping;
 }
 

@@ -1,6 +1,7 @@
 #include "app/editor/workers/pulled_scene.h"
 
 #include "app/editor/workers/grasp.h"
+#include "core/model/scene_events.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,7 @@ struct PullSpan {
     double begin, end; ///< s
 };
 
+/// None where the poke has no pull, or none that lasts.
 std::optional<PullSpan> firstPull(const Poke& poke) {
     const auto& moments = poke.moments;
     const auto first = std::find_if(moments.begin(), moments.end(),
@@ -26,7 +28,9 @@ std::optional<PullSpan> firstPull(const Poke& poke) {
     const auto next = std::find_if(first, moments.end(), [&](const HandMoment& moment) {
         return !moment.loads.pull || moment.loads.pull->node != node;
     });
-    return PullSpan{node, first->time, next == moments.end() ? poke.duration : next->time};
+    const double end = next == moments.end() ? poke.duration : next->time;
+    if (end - first->time < shortestPull) return std::nullopt;
+    return PullSpan{node, first->time, end};
 }
 
 /// Where the grasped nodes are led, as displacements from rest; times from when the hand took hold.
@@ -50,15 +54,16 @@ std::vector<NodeMove> movesUnder(const Poke& poke, const PullSpan& span, int int
 
 } // namespace
 
+bool hasPull(const Poke& poke) {
+    return firstPull(poke).has_value();
+}
+
 std::optional<Scene> sceneOfPull(const Poke& poke, const Project& project, const TissueModel& tissue) {
     const Poke carried = carriedOver(poke, project.network);
     const auto span = firstPull(carried);
-    if (!span || span->end - span->begin < shortestPull) return std::nullopt;
+    if (!span) return std::nullopt;
     const int intervals = static_cast<int>(std::floor((span->end - span->begin) / pathInterval));
-    Scene scene;
-    scene.gravity = project.scene.gravity;
-    scene.fixed = project.scene.fixed;
-    scene.tethers = project.scene.tethers;
+    Scene scene = withoutEvents(project.scene);
     scene.moves = movesUnder(carried, *span, intervals, tissue);
     scene.duration = intervals * pathInterval;
     return scene;

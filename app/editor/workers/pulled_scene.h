@@ -15,8 +15,11 @@ struct TriedMotion {
     QString name; ///< as in "the organ is moved by …"
 };
 
+/// Whether a recorded poke begins with a pull that lasts: what sceneOfPull() takes.
+bool hasPull(const Poke& poke);
+
 /// A recorded poke as a scene, which other programs can run: the hand's first pull, from when it took hold
-/// until it let go, as nodes that are led. Of the project's scene gravity and what holds the organ stay.
+/// until it let go, as nodes that are led, in place of what happens in the project's scene at set times.
 /// None where the poke has no pull, or none that lasts.
 /// @param tissue the project's
 std::optional<Scene> sceneOfPull(const Poke& poke, const Project& project, const TissueModel& tissue);

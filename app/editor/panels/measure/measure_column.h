@@ -22,6 +22,7 @@ public:
     MeasurePage page() const { return static_cast<MeasurePage>(m_tabs->currentIndex()); }
     void choose(MeasurePage page) { m_tabs->setCurrentIndex(static_cast<int>(page)); }
     VirtualTestPanel& testPanel() { return *m_test; }
+    PokePanel& pokePanel() { return *m_poke; }
 
 signals:
     void chosen(esm::MeasurePage page);

@@ -1,6 +1,7 @@
 #include "app/editor/panels/measure/poke_panel.h"
 
 #include "app/editor/dialogs/sentence.h"
+#include "app/editor/workers/pulled_scene.h"
 #include "widgets/inputs/enabling.h"
 #include "widgets/inputs/number_text.h"
 #include "widgets/inputs/quiet_label.h"
@@ -32,11 +33,16 @@ std::optional<double> largest(const PokeTest::Motion& motion, double PokePicture
 PokePanel::PokePanel(PokeTest& test, QWidget* parent)
     : QWidget(parent), m_test(test), m_record(new QPushButton(tr("Record"), this)),
       m_repeat(new QPushButton(tr("Repeat"), this)), m_cancel(new QPushButton(tr("Cancel"), this)),
+      m_makeScene(new QPushButton(tr("Make the pull the scene"), this)),
       m_news(new WorkNews(QStringLiteral("poke"), tr("How much of the motion is computed"), this)),
       m_figures(new FigureTable(this)) {
     auto* poke = new Section(tr("Poke"), this);
     poke->body()->addWidget(buildRecording());
     poke->body()->addWidget(buildButtons());
+    m_makeScene->setObjectName(QStringLiteral("makePokeScene"));
+    m_makeScene->setAutoDefault(true);
+    connect(m_makeScene, &QPushButton::clicked, this, &PokePanel::sceneAsked);
+    poke->body()->addWidget(m_makeScene);
     poke->body()->addWidget(m_news);
     auto* met = new Section(tr("What it met"), this);
     m_figures->addRow(tr("Largest force, N"), QStringLiteral("pokeForce"),
@@ -112,10 +118,21 @@ void PokePanel::refresh() {
                                       : none);
     const QString obstacle = m_test.obstacle();
     enable(m_repeat, obstacle.isEmpty(), tr("Do the same to the organ as it is now"), obstacle);
+    enableMakingScene();
     enable(m_cancel, m_test.isComputing(), tr("Stop computing; the motion before stays"),
            tr("Nothing is being computed"));
     showFigures();
     showNews();
+}
+
+void PokePanel::enableMakingScene() {
+    const bool canBeScene = m_test.poke() && hasPull(*m_test.poke()) && !m_test.isRecording();
+    enable(m_makeScene, canBeScene,
+           tr("Saved with the project, the first pull then moves the organ in Play scene, where speed and "
+              "accuracy are measured, and in other programs"),
+           m_test.isRecording() ? tr("End the recording first")
+           : m_test.poke()      ? tr("Only a pull that lasts can be the scene, and none was recorded")
+                                : tr("Record a pull first"));
 }
 
 void PokePanel::showFigures() {

@@ -15,17 +15,22 @@ class PokePanel : public QWidget {
 public:
     explicit PokePanel(PokeTest& test, QWidget* parent = nullptr);
 
+signals:
+    /// The pull is to be the project's scene.
+    void sceneAsked();
+
 private:
     QWidget* buildRecording();
     QWidget* buildButtons();
     void refresh();
+    void enableMakingScene();
     void showFigures();
     void showMoment();
     void showNews();
     QString remark() const;
 
     PokeTest& m_test;
-    QPushButton *m_record, *m_repeat, *m_cancel;
+    QPushButton *m_record, *m_repeat, *m_cancel, *m_makeScene;
     QLabel* m_length;
     WorkNews* m_news;
     FigureTable* m_figures;

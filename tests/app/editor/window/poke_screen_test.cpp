@@ -1,4 +1,5 @@
 #include "app/editor/panels/measure/measure_column.h"
+#include "core/model/scene_events.h"
 #include "core/project/detail_change.h"
 #include "core/samples/samples.h"
 #include "tests/app/editor_driver.h"
@@ -130,6 +131,31 @@ TEST_F(PokeScreenTest, RecordingNeedsAToolThatTouches) {
     button("recordPoke").click();
     EXPECT_EQ(toolInHand(), "instrument");
     button("recordPoke").click();
+}
+
+TEST_F(PokeScreenTest, APullIsMadeTheSceneAndTheSceneTakenAway) {
+    const Scene& scene = window->document().project().scene;
+    window->document().edit("force", [](Project& project) {
+        project.scene = withoutEvents(project.scene);
+        project.scene.forces.push_back({3, {0, 0, 1}, 0, 1});
+    });
+    const Scene before = scene;
+    QAction& removing = *window->windowActions().removeScene;
+    EXPECT_FALSE(button("makePokeScene").isEnabled());
+    EXPECT_TRUE(removing.isEnabled());
+    poke();
+    button("makePokeScene").click();
+    EXPECT_TRUE(scene.forces.empty());
+    EXPECT_FALSE(scene.moves.empty());
+    EXPECT_EQ(scene.fixed, before.fixed);
+    EXPECT_TRUE(window->windowActions().playScene->isEnabled());
+    removing.trigger();
+    EXPECT_TRUE(scene.moves.empty());
+    EXPECT_FALSE(removing.isEnabled());
+    window->document().undoStack()->undo();
+    EXPECT_FALSE(scene.moves.empty());
+    window->document().undoStack()->undo();
+    EXPECT_EQ(scene, before);
 }
 
 TEST_F(PokeScreenTest, OnOtherNodesNoFilmIsOffered) {

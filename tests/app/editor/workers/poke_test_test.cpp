@@ -123,6 +123,17 @@ TEST_F(PokeTestTest, AnotherNetOfTheOrganIsComparedToo) {
     EXPECT_GT(test.player().duration(), 0);
 }
 
+TEST_F(PokeTestTest, OfTheSceneOnlyWhatLastsMakesAMotionOutdated) {
+    poke();
+    document.edit("scene", [](Project& project) {
+        project.scene.duration = 7;
+        project.scene.moves = {{3, {{0, {0, 0, 0}}, {1, {0, 0, 0.01}}}}};
+    });
+    EXPECT_FALSE(test.isOutdated());
+    document.edit("gravity", [](Project& project) { project.scene.gravity = {0, 0, -1}; });
+    EXPECT_TRUE(test.isOutdated());
+}
+
 TEST_F(PokeTestTest, WhatIsKeptStaysUnderAnotherPoke) {
     poke();
     const PokeTest::Motion first = test.latest();

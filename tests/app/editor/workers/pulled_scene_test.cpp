@@ -1,6 +1,7 @@
 #include "app/editor/workers/pulled_scene.h"
 
 #include "core/dynamics/measure/scene_run.h"
+#include "core/model/scene_events.h"
 #include "tests/app/editor/workers/poked_organ.h"
 
 #include <gtest/gtest.h>
@@ -52,9 +53,28 @@ TEST_F(PulledScene, MovesTheOrganAsTheHandDid) {
     EXPECT_LT(apart, 0.1 * most);
 }
 
+TEST_F(PulledScene, TakesThePlaceOfWhatHappenedAndLeavesWhatLasts) {
+    Project busy = project;
+    busy.scene = withoutEvents(busy.scene);
+    busy.scene.gravity = {0, 0, -9.81};
+    busy.scene.fillings = {{0, 1000}};
+    busy.scene.pressures = {{0, {{0, 500}}}};
+    const Scene lasting = busy.scene;
+    busy.scene.forces.push_back({3, {0, 0, 1}, 0, 1});
+    busy.scene.splits.push_back({});
+    scene = sceneOfPull(recorded.recorder.poke(), busy, tissue);
+    ASSERT_TRUE(scene);
+    EXPECT_FALSE(scene->moves.empty());
+    scene->moves.clear();
+    scene->duration = lasting.duration;
+    EXPECT_EQ(*scene, lasting);
+}
+
 TEST_F(PulledScene, IsNoneWithoutAPull) {
     Poke poke = recorded.recorder.poke();
+    EXPECT_TRUE(hasPull(poke));
     for (HandMoment& moment : poke.moments)
         moment.loads.pull.reset();
+    EXPECT_FALSE(hasPull(poke));
     EXPECT_FALSE(sceneOfPull(poke, project, tissue));
 }
