@@ -157,7 +157,8 @@ def in_sofa(options, folder, period, duration):
 
 def evenly(times):
     """Without the end of a run that ends between two records: SOFA writes at multiples of a time alone."""
-    return [time for time in times if abs(time / times[1] - round(time / times[1])) < 1e-6]
+    count = times[-1] / times[1]
+    return times if abs(count - round(count)) < 1e-6 else times[:-1]
 
 
 def here(options, folder):

@@ -263,8 +263,10 @@ void ActionMaker::makePlayActions() {
     a.play = make(tr("&Play"), QKeySequence(Qt::Key_Space), tr("Let the tissue move, or stop it"));
     a.playScene = make(tr("Play &scene"), QKeySequence("Shift+Space"),
                        tr("Play the scene's forces, led nodes and instruments from rest"));
-    a.removeScene =
-        make(tr("Re&move scene"), {}, tr("Take what happens at set times away; what holds the organ stays"));
+    a.removeScene = make(
+        tr("Re&move scene"), {},
+        tr("Remove its forces, led nodes, instruments, splits and changing pressures; what holds the organ "
+           "stays"));
     a.reset = make(tr("&Reset"), QKeySequence("Ctrl+0"), tr("Back to the shape at rest"));
     a.keys = make(tr("&Keys and mouse"), QKeySequence(Qt::Key_F1), tr("What mouse and keys do"));
     a.firstSteps = make(tr("&First steps"), {}, tr("Five hints on the sample of a liver"));

@@ -99,9 +99,9 @@ void EditController::enable(const Actions& actions) {
     actions.evenSheet->setChecked(project.network->sheet.has_value());
     const bool splits = !project.scene.splits.empty();
     allow(actions.playScene, hasLoads(project.scene) && !splits,
-          splits
-              ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
-              : tr("The scene has no force, led node, pressure or instrument: a recorded pull can be one"));
+          splits ? tr("The scene splits the organ, which the window does not play yet: esmc simulate does")
+                 : tr("The scene has no force, led node, pressure or instrument: Measure → Poke makes one of "
+                      "a pull"));
     allow(actions.removeScene, hasEvents(project.scene), tr("Nothing happens in the project's scene"));
     const QString noSurface = tr("This model has no surface to lay a photo on");
     allow(actions.addPhoto, !project.mesh->triangles.empty(), noSurface);

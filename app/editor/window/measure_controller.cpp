@@ -5,7 +5,9 @@
 #include "app/editor/panels/measure/accuracy_view.h"
 #include "app/editor/panels/measure/poke_view.h"
 #include "app/editor/panels/measure/press_view.h"
+#include "app/editor/window/shortcuts.h"
 #include "app/editor/workers/pulled_scene.h"
+#include "core/support/errors.h"
 
 namespace esm {
 
@@ -53,9 +55,11 @@ void MeasureController::makeScene() {
         const auto scene = computeLong(m_column, tr("Looking at the organ"), [&](const Progress&) {
             return sceneOfPull(poke, project, evaluateModel(project));
         });
-        if (!scene) return;
+        if (!scene)
+            throw InvalidModel("the pull took hold of fixed nodes alone; record one that pulls at others");
         m_document.edit(tr("Make the pull the scene"), [&](Project& edited) { edited.scene = *scene; });
-        emit message(tr("The pull is the project's scene now: Simulation → Play scene plays it."));
+        emit message(withKeys(tr("The pull is the project's scene now: Play scene ({playScene}) plays it"),
+                              m_actions));
     });
 }
 

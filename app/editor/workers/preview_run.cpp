@@ -61,6 +61,7 @@ void PreviewRun::run(PreparedProject prepared) {
     m_network = project.network;
     m_settings = settings;
     m_isShortened = project.stepping && *settings.timeStep < project.stepping->stepping.timeStep;
+    if (goesOn && m_playsScene && m_scene.moves != project.scene.moves) leaveScene(); // led nodes would jump
     m_scene = project.scene;
     m_gentlePull = std::move(prepared.gentlePull);
     if (!goesOn) {

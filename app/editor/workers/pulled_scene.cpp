@@ -18,22 +18,27 @@ struct PullSpan {
     double begin, end; ///< s
 };
 
-/// None where the poke has no pull, or none that lasts.
-std::optional<PullSpan> firstPull(const Poke& poke) {
-    const auto& moments = poke.moments;
-    const auto first = std::find_if(moments.begin(), moments.end(),
-                                    [](const HandMoment& moment) { return moment.loads.pull.has_value(); });
-    if (first == moments.end()) return std::nullopt;
-    const std::uint32_t node = first->loads.pull->node;
-    const auto next = std::find_if(first, moments.end(), [&](const HandMoment& moment) {
-        return !moment.loads.pull || moment.loads.pull->node != node;
-    });
-    const double end = next == moments.end() ? poke.duration : next->time;
-    if (end - first->time < shortestPull) return std::nullopt;
-    return PullSpan{node, first->time, end};
+std::optional<std::uint32_t> heldNode(const HandMoment& moment) {
+    if (!moment.loads.pull) return std::nullopt;
+    return moment.loads.pull->node;
 }
 
-/// Where the grasped nodes are led, as displacements from rest; times from when the hand took hold.
+/// The first that lasts; none without.
+std::optional<PullSpan> firstPull(const Poke& poke) {
+    const auto& moments = poke.moments;
+    for (auto first = moments.begin(); first != moments.end();) {
+        const auto held = heldNode(*first);
+        const auto next = std::find_if(first, moments.end(),
+                                       [&](const HandMoment& moment) { return heldNode(moment) != held; });
+        const double end = next == moments.end() ? poke.duration : next->time;
+        if (held && end - first->time >= shortestPull) return PullSpan{*held, first->time, end};
+        first = next;
+    }
+    return std::nullopt;
+}
+
+/// Where the grasped nodes that are free are led, as displacements from rest; times from when the hand took
+/// hold.
 std::vector<NodeMove> movesUnder(const Poke& poke, const PullSpan& span, int intervals,
                                  const TissueModel& tissue) {
     const std::vector<Eigen::Vector3d>& rest = tissue.network->restPositions;
@@ -49,6 +54,10 @@ std::vector<NodeMove> movesUnder(const Poke& poke, const PullSpan& span, int int
         for (std::size_t k = 0; k < moves.size(); ++k)
             moves[k].path.push_back({(i + 1) * pathInterval, prescribed[k].position - rest[moves[k].node]});
     }
+    const std::vector<std::uint32_t>& fixed = tissue.fixedNodes;
+    std::erase_if(moves, [&](const NodeMove& move) {
+        return std::binary_search(fixed.begin(), fixed.end(), move.node);
+    });
     return moves;
 }
 
@@ -64,7 +73,9 @@ std::optional<Scene> sceneOfPull(const Poke& poke, const Project& project, const
     if (!span) return std::nullopt;
     const int intervals = static_cast<int>(std::floor((span->end - span->begin) / pathInterval));
     Scene scene = withoutEvents(project.scene);
+    scene.record = {};
     scene.moves = movesUnder(carried, *span, intervals, tissue);
+    if (scene.moves.empty()) return std::nullopt;
     scene.duration = intervals * pathInterval;
     return scene;
 }

@@ -40,8 +40,9 @@ void addDrawingDifferences(const Handover& handover, DifferenceList& list) {
 DifferenceList sceneDifferences(const Scene& scene) {
     DifferenceList list;
     if (!movesTissue(sceneInSofa(scene)))
-        list.push_back({"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
-                        "it stands still there; esmc scene gives the project one that moves it"});
+        list.push_back(
+            {"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
+             "it stands still there; Measure, Poke makes a scene of a pull, esmc scene of a file"});
     if (!scene.instruments.empty())
         list.push_back({"instruments of the scene are not handed over",
                         "nothing touches the organ; add instruments and collisions there"});

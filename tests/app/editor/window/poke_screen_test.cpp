@@ -34,7 +34,7 @@ protected:
         moveMouse(middle + QPoint(40, 20));
         ESM_EVENTUALLY(window->preview().status().pull.has_value());
         const double pulledFrom = recordedTime();
-        ESM_EVENTUALLY(recordedTime() > pulledFrom + 0.15);
+        ESM_EVENTUALLY(recordedTime() > pulledFrom + 0.4);
         QTest::mouseRelease(&view, Qt::LeftButton, {}, middle + QPoint(40, 20));
         button("recordPoke").click();
         ESM_EVENTUALLY(!isSaid("pokeForce", QChar(0x2013)));

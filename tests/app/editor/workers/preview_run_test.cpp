@@ -239,6 +239,25 @@ TEST(PreviewRun, PlaysTheScenesLoadsFromRestToItsEnd) {
     EXPECT_TRUE(run.sceneInstruments().empty());
 }
 
+TEST(PreviewRun, PlaysNoOtherSceneToTheEndOfThisOne) {
+    Project project = makeSample("liver");
+    project.scene.duration = 1;
+    project.scene.moves = {{40, {{0, {0, 0, 0}}, {1, {0, 0, 0.01}}}}};
+    PreviewRun run;
+    ASSERT_TRUE(run.take(prepareProject(project)));
+    run.beginScene();
+    ASSERT_TRUE(run.advance(0.1, {}));
+    project.base.viscosity *= 1.1;
+    ASSERT_TRUE(run.take(prepareProject(project)));
+    ASSERT_TRUE(run.advance(0.1, {}));
+    const std::vector<Eigen::Vector3d>& rest = project.network->restPositions;
+    EXPECT_NEAR(run.positions()[40].z() - rest[40].z(), 0.002, 0.0005) << "it goes on in another tissue";
+    project.scene.moves = {{40, {{0, {0, 0, 0}}, {1, {0, 0, -0.1}}}}};
+    ASSERT_TRUE(run.take(prepareProject(project)));
+    ASSERT_TRUE(run.advance(0.1, {}));
+    EXPECT_GT(run.positions()[40].z(), rest[40].z()) << "where it was, and let go";
+}
+
 TEST(PreviewRun, StepsAsTheProjectSays) {
     Project tube = makeSample("tube");
     PreviewRun run;

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 using namespace esm;
 
 namespace {
@@ -62,12 +64,32 @@ TEST_F(PulledScene, TakesThePlaceOfWhatHappenedAndLeavesWhatLasts) {
     const Scene lasting = busy.scene;
     busy.scene.forces.push_back({3, {0, 0, 1}, 0, 1});
     busy.scene.splits.push_back({});
+    busy.scene.record.nodes = {{1000000}}; // as a split would make
     scene = sceneOfPull(recorded.recorder.poke(), busy, tissue);
     ASSERT_TRUE(scene);
     EXPECT_FALSE(scene->moves.empty());
     scene->moves.clear();
     scene->duration = lasting.duration;
     EXPECT_EQ(*scene, lasting);
+}
+
+TEST_F(PulledScene, IsOfTheFirstPullThatLasts) {
+    Poke poke = recorded.recorder.poke();
+    poke.moments.insert(poke.moments.begin() + 1, {0.05, {}});
+    poke.moments[0].loads.pull = Pull{7, {0, 0, 0}};
+    EXPECT_TRUE(hasPull(poke));
+    EXPECT_EQ(sceneOfPull(poke, project, tissue), scene);
+}
+
+TEST_F(PulledScene, LeadsNoNodeThatIsFixed) {
+    TissueModel held = tissue;
+    held.fixedNodes = {40};
+    const auto others = sceneOfPull(recorded.recorder.poke(), project, held);
+    ASSERT_TRUE(others);
+    EXPECT_EQ(others->moves.size() + 1, scene->moves.size());
+    held.fixedNodes.resize(project.network->restPositions.size());
+    std::iota(held.fixedNodes.begin(), held.fixedNodes.end(), 0U);
+    EXPECT_FALSE(sceneOfPull(recorded.recorder.poke(), project, held));
 }
 
 TEST_F(PulledScene, IsNoneWithoutAPull) {
