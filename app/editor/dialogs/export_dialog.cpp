@@ -147,13 +147,13 @@ void ExportDialog::addAnswer(QVBoxLayout* column) {
 }
 
 void ExportDialog::addTrial(QDialogButtonBox& buttons) {
-    auto* trying = new QPushButton(tr("&Try it in SOFA…"), this);
+    auto* trying = new QPushButton(tr("&Try %1 in SOFA…").arg(m_tried.name), this);
     trying->setObjectName(QStringLiteral("exportTrial"));
     trying->setAutoDefault(false);
     buttons.addButton(trying, QDialogButtonBox::ActionRole);
     const QString meaning =
-        tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other: "
-           "the recorded pull, or else the project's scene");
+        tr("Moves the organ here and in SOFA, without its window, and shows both motions over each other. "
+           "The project's scene is what is exported; a recorded pull can be made the scene");
     if (!m_program)
         return enable(
             trying, false, meaning,

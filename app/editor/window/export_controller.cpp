@@ -56,11 +56,12 @@ void ExportController::choose() {
     exportTo(file->path, kinds.at(static_cast<std::size_t>(std::max(file->filter, 0))).pictures);
 }
 
-/// The recorded pull, or else the project's own scene.
+/// The recorded pull where the project's own scene is another, or else that scene.
 TriedMotion ExportController::triedMotion(const Handover& handover) const {
     if (m_poke && m_poke->poke())
-        if (auto pulled = sceneOfPull(*m_poke->poke(), handover.project, handover.tissue))
-            return {std::move(*pulled), tr("the pull that was recorded last")};
+        if (auto pulled = sceneOfPull(*m_poke->poke(), handover.project, handover.tissue);
+            pulled && *pulled != handover.project.scene)
+            return {std::move(*pulled), tr("the recorded pull")};
     return {handover.project.scene, tr("the project's scene")};
 }
 

@@ -72,6 +72,13 @@ protected:
     }
 };
 
+/// It says of each action what it does, or why it cannot be used now.
+QMenu* addMenu(QMenuBar& bar, const QString& title) {
+    QMenu* menu = bar.addMenu(title);
+    menu->setToolTipsVisible(true);
+    return menu;
+}
+
 } // namespace
 
 void fillShownMenu(QMenu* menu, const Actions& a) {
@@ -85,8 +92,8 @@ void fillShownMenu(QMenu* menu, const Actions& a) {
 
 void buildMenus(QMainWindow& window, const Actions& a) {
     QMenuBar* bar = window.menuBar();
-    fillFileMenu(bar->addMenu(QObject::tr("&File")), a);
-    QMenu* edit = bar->addMenu(QObject::tr("&Edit"));
+    fillFileMenu(addMenu(*bar, QObject::tr("&File")), a);
+    QMenu* edit = addMenu(*bar, QObject::tr("&Edit"));
     edit->addActions({a.undo, a.redo, a.history});
     edit->addSeparator();
     edit->addActions({a.duplicateRegion, a.removeRegion, a.rename});
@@ -94,22 +101,22 @@ void buildMenus(QMainWindow& window, const Actions& a) {
     edit->addActions({a.hidePhoto, a.duplicatePhoto, a.replacePhoto, a.removePhoto});
     edit->addSeparator();
     edit->addAction(a.shortcuts);
-    fillViewMenu(bar->addMenu(QObject::tr("&View")), a);
+    fillViewMenu(addMenu(*bar, QObject::tr("&View")), a);
 
-    QMenu* model = bar->addMenu(QObject::tr("&Model"));
+    QMenu* model = addMenu(*bar, QObject::tr("&Model"));
     model->addActions({a.addRegion, a.fixRegion, a.freeNodes, a.chooseDetail, a.chooseInside, a.evenSheet});
     model->addSeparator();
     model->addActions({a.addPhoto, a.addPaint, a.fromCamera});
 
-    QMenu* simulation = bar->addMenu(QObject::tr("&Simulation"));
+    QMenu* simulation = addMenu(*bar, QObject::tr("&Simulation"));
     simulation->addActions({a.play, a.playScene, a.reset});
     simulation->addSeparator();
     simulation->addAction(a.removeScene);
-    QMenu* tools = bar->addMenu(QObject::tr("&Tools"));
+    QMenu* tools = addMenu(*bar, QObject::tr("&Tools"));
     tools->addActions(a.tools->actions());
     tools->addSeparator();
     tools->addAction(a.letGo);
-    bar->addMenu(QObject::tr("&Help"))->addActions({a.firstSteps, a.keys, a.about});
+    addMenu(*bar, QObject::tr("&Help"))->addActions({a.firstSteps, a.keys, a.about});
 }
 
 QDockWidget* buildColumn(QMainWindow& window, Qt::DockWidgetArea side, const QString& title,

@@ -58,8 +58,8 @@ void MeasureController::makeScene() {
         if (!scene)
             throw InvalidModel("the pull took hold of fixed nodes alone; record one that pulls at others");
         m_document.edit(tr("Make the pull the scene"), [&](Project& edited) { edited.scene = *scene; });
-        emit message(withKeys(tr("The pull is the project's scene now: Play scene ({playScene}) plays it"),
-                              m_actions));
+        emit message(withKeys(
+            tr("The first pull is the project's scene now: Play scene ({playScene}) plays it"), m_actions));
     });
 }
 

@@ -12,7 +12,7 @@ namespace esm {
 /// What moves an organ that is tried in another program.
 struct TriedMotion {
     Scene scene;
-    QString name; ///< as in "the organ is moved by …"
+    QString name; ///< as in "the organ is moved by …" and "try … in SOFA"
 };
 
 /// Whether a recorded poke has a pull that lasts: what sceneOfPull() takes.

@@ -127,12 +127,15 @@ void PokePanel::refresh() {
 
 void PokePanel::enableMakingScene() {
     const bool canBeScene = m_test.poke() && hasPull(*m_test.poke()) && !m_test.isRecording();
-    enable(m_makeScene, canBeScene,
-           tr("The first pull, from rest until you let go, then moves the organ in Play scene, where speed "
-              "and accuracy are measured, and in other programs; it is saved with the project"),
-           m_test.isRecording() ? tr("End the recording first")
-           : m_test.poke()      ? tr("Only a pull of 0.1 s or more can be the scene, and none was recorded")
-                                : tr("Record a pull first"));
+    enable(
+        m_makeScene, canBeScene,
+        tr("The first pull, from rest until you let go, then moves the organ in Play scene, where speed "
+           "and accuracy are measured, and in other programs; it is saved with the project"),
+        m_test.isRecording() ? tr("End the recording first")
+        : m_test.poke()
+            ? tr("Only a pull of 0.1 s or more can be the scene, and none was recorded: what the instrument "
+                 "pushes cannot")
+            : tr("Record a pull first"));
 }
 
 void PokePanel::showFigures() {

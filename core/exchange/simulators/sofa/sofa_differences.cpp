@@ -40,9 +40,9 @@ void addDrawingDifferences(const Handover& handover, DifferenceList& list) {
 DifferenceList sceneDifferences(const Scene& scene) {
     DifferenceList list;
     if (!movesTissue(sceneInSofa(scene)))
-        list.push_back(
-            {"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
-             "it stands still there; Measure, Poke makes a scene of a pull, esmc scene of a file"});
+        list.push_back({"nothing moves the organ in SOFA: its scene has no gravity, force or led node",
+                        "it stands still there; record a pull and make it the scene (Measure, Poke), or use "
+                        "esmc scene"});
     if (!scene.instruments.empty())
         list.push_back({"instruments of the scene are not handed over",
                         "nothing touches the organ; add instruments and collisions there"});

@@ -32,9 +32,11 @@ void addMove(const NodeMove& move, const SofaSubject& subject, XmlText& xml) {
         addKey(point.time, point.value);
     constexpr double forEver = 1e9; // s
     addKey(forEver, places.back());
-    xml.add(
-        subject.release.movedConstraint,
-        {{"indices", std::to_string(move.node)}, {"keyTimes", spaced(times)}, {"movements", spaced(places)}});
+    const std::string node = std::to_string(move.node);
+    xml.add(subject.release.movedConstraint, {{"name", "led-" + node},
+                                              {"indices", node},
+                                              {"keyTimes", spaced(times)},
+                                              {"movements", spaced(places)}});
 }
 
 } // namespace

@@ -204,7 +204,7 @@ TEST_F(ExportToSofaTest, TriesTheRecordedPull) {
         motion = dialog->findChild<QLabel*>("sofaTrialMotion")->text();
         dialog->reject();
     });
-    EXPECT_TRUE(motion.contains("the pull that was recorded")) << motion.toStdString();
+    EXPECT_TRUE(motion.contains("the recorded pull")) << motion.toStdString();
     EXPECT_TRUE(
         QRegularExpression("^here, [0-9.]+ s: [1-9][0-9.]* mm; in SOFA, [0-9.]+ s: 0").match(said).hasMatch())
         << said.toStdString();
